@@ -49,7 +49,9 @@ int describe(const DescribeArguments& arguments, Console& console) {
       paths, console.progress(), arguments.force ? guesses::KnownFormats::PassedOver : guesses::KnownFormats::Told);
   if (console.cancelled()) return kNoResult;
   if (description.known) {
-    console.print(say::cli_describe_known(description.known->path.string(), description.known->what));
+    const std::string path = description.known->path.string();
+    console.print(description.known->format == "native" ? say::cli_describe_manifest(path)
+                                                        : say::cli_describe_known(path, description.known->what));
     return kSolved;
   }
   tell(description, console);

@@ -61,8 +61,8 @@ Message cause_of_apart_clocks(std::int64_t lidar_stamp_ns, std::int64_t other_st
 Message shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins) {
   // Streams of one recorder begin and end together, or within a second: one that covers the other is no suspect.
   constexpr double kTogether_s = 1.5;
-  const double begins_s = 1e-9 * static_cast<double>(lidar.first_ns - ins.first_ns);
-  const double ends_s = 1e-9 * static_cast<double>(lidar.last_ns - ins.last_ns);
+  const double begins_s = 1e-9 * (static_cast<double>(lidar.first_ns) - static_cast<double>(ins.first_ns));
+  const double ends_s = 1e-9 * (static_cast<double>(lidar.last_ns) - static_cast<double>(ins.last_ns));
   if (std::abs(begins_s - ends_s) > 2.0 * kTogether_s || begins_s * ends_s <= 0.0) return {};
   const double mean_s = 0.5 * (begins_s + ends_s);
   Message hint = leap_second_hint(mean_s, kTogether_s);

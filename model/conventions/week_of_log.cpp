@@ -6,12 +6,12 @@
 #include "messages/places.h"
 #include "model/conventions/stream_spans.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/files/time_stamp.h"
 
 namespace remount::conventions {
 namespace {
 
-constexpr std::int64_t kWeek_ns = std::int64_t{604'800} * 1'000'000'000;
 constexpr std::int64_t kEarliestDate_ns = std::int64_t{631'152'000} * 1'000'000'000;  // 1990
 
 template <class Place>
@@ -25,7 +25,20 @@ void tell_week(drive::Session& session, Message words) {
       drive::make_finding(drive::Severity::Note, "ins-week", say::place_ins(), std::move(words)));
 }
 
+/// Seconds of the week that are no dates either.
+bool has_dates(const TimeSpan& other) { return middle_ns(other) >= kEarliestDate_ns; }
+
 }  // namespace
+
+std::int64_t placed_in_week_ns(std::int64_t stamp_ns, const TimeSpan& ins, const TimeSpan& dated) {
+  const std::int64_t gps_ns = formats::gps_ns_from_unix_ns(stamp_ns);
+  if (!has_dates(dated)) return gps_ns;
+  const std::int64_t apart_ns =
+      formats::gps_ns_from_unix_ns(middle_ns(dated)) - formats::gps_ns_from_unix_ns(middle_ns(ins));
+  const auto weeks = static_cast<std::int64_t>(
+      std::llround(static_cast<double>(apart_ns) / static_cast<double>(formats::kGpsWeek_ns)));
+  return formats::unix_ns_from_gps_ns(gps_ns + weeks * formats::kGpsWeek_ns);
+}
 
 void place_in_week(drive::Session& session) {
   if (!session.ins_week_open || session.ins.empty()) return;
@@ -33,20 +46,14 @@ void place_in_week(drive::Session& session) {
   const TimeSpan other = is_empty(lidar) ? span_of_items(session.gnss) : lidar;
   if (is_empty(other)) return tell_week(session, say::ins_week_unknown());
   session.ins_week_open = false;
-  if (middle_ns(other) < kEarliestDate_ns) {
+  const TimeSpan ins = span_of_items(session.ins);
+  move_ins(session, [&](std::int64_t stamp_ns) { return placed_in_week_ns(stamp_ns, ins, other); });
+  if (!has_dates(other)) {
     session.ins_stamps_from_gps = false;
-    move_ins(session, [](std::int64_t stamp_ns) { return formats::gps_ns_from_unix_ns(stamp_ns); });
     return tell_week(session, say::ins_week_of_no_date());
   }
-  const std::int64_t apart_ns = formats::gps_ns_from_unix_ns(middle_ns(other)) -
-                                formats::gps_ns_from_unix_ns(middle_ns(span_of_items(session.ins)));
-  const auto weeks =
-      static_cast<std::int64_t>(std::llround(static_cast<double>(apart_ns) / static_cast<double>(kWeek_ns)));
-  move_ins(session, [&](std::int64_t stamp_ns) {
-    return formats::unix_ns_from_gps_ns(formats::gps_ns_from_unix_ns(stamp_ns) + weeks * kWeek_ns);
-  });
   const std::int64_t week =
-      formats::gps_ns_from_unix_ns(session.ins.front().stamp_ns) / kWeek_ns;  // of the first sample
+      formats::gps_ns_from_unix_ns(session.ins.front().stamp_ns) / formats::kGpsWeek_ns;  // of the first sample
   tell_week(session, say::ins_week_taken(week, formats::utc_text(session.ins.front().stamp_ns)));
 }
 

@@ -12,15 +12,6 @@ namespace {
 using drive::AttitudeConvention;
 using drive::QuaternionConvention;
 
-constexpr double kDegree_rad = kPi / 180.0;
-
-double largest_angle(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double value : values)
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 class AttitudeReader {
  public:
   AttitudeReader(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
@@ -31,7 +22,9 @@ class AttitudeReader {
     const auto roll = find(Quantity::Roll), pitch = find(Quantity::Pitch);
     for (const Quantity yaw : {Quantity::Heading, Quantity::Yaw})
       if (const auto found = find(yaw); found && roll && pitch)
-        add_angles({*found, *pitch, *roll}, names_[*found]->unit, true, yaw == Quantity::Heading);
+        if (const auto unit = common_unit(names_, std::array{*found, *pitch, *roll}))
+          add_angles({*found, *pitch, *roll}, *unit, true, yaw == Quantity::Heading);
+    if (position_.exchanged) return std::move(out_);  // a quaternion would go with a world that is mirrored
     const auto x = find(Quantity::Qx), y = find(Quantity::Qy), z = find(Quantity::Qz), w = find(Quantity::Qw);
     if (x && y && z && w) {
       add_quaternion({*x, *y, *z, *w}, true);
@@ -64,7 +57,7 @@ class AttitudeReader {
   /// Yaw from east or from north, either way round.
   void add_angles(const std::array<std::size_t, 3>& columns, const std::string& unit, bool by_name, bool heading) {
     double largest = 0.0;
-    for (const std::size_t column : columns) largest = std::max(largest, largest_angle(table_.columns[column].values));
+    for (const std::size_t column : columns) largest = std::max(largest, largest_size(table_.columns[column].values));
     for (const double unit_rad : {kDegree_rad, 1.0}) {
       if ((unit == "deg" && unit_rad == 1.0) || (unit == "rad" && unit_rad != 1.0)) continue;
       if (unit_rad == 1.0 && largest > 2.0 * kPi + 0.01) continue;
@@ -169,6 +162,8 @@ std::vector<motion::StampedPose> poses_of(const SampledTable& table, const TimeR
       if (!std::isfinite(angles[0] + angles[1] + angles[2])) continue;
       enu_from_ins = drive::enu_from_ins({angles[0], angles[1], angles[2]}, attitude.convention);
     }
+    constexpr double kLongest_s = 4.1e9;
+    if (time.times_s[row] - time.first_s > kLongest_s) continue;
     const auto stamp_ns = static_cast<std::int64_t>(1e9 * (time.times_s[row] - time.first_s));
     if (!poses.empty() && stamp_ns <= poses.back().stamp_ns) continue;
     poses.push_back({stamp_ns, make_rigid(enu_from_ins.toRotationMatrix(), place)});

@@ -4,20 +4,29 @@
 #include <cmath>
 
 #include "messages/guesses.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/files/time_stamp.h"
 
 namespace remount::guesses {
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-constexpr std::int64_t kGpsEpoch_ns = std::int64_t{315'964'800} * kSecond_ns;
-constexpr std::int64_t kWeek_ns = std::int64_t{604'800} * kSecond_ns;
 
 std::size_t count_within(const conventions::TimeSpan& span, const std::vector<std::int64_t>& stamps_ns,
                          std::int64_t added_ns = 0) {
   return static_cast<std::size_t>(std::ranges::count_if(stamps_ns, [&](std::int64_t stamp_ns) {
     return stamp_ns + added_ns >= span.first_ns && stamp_ns + added_ns <= span.last_ns;
   }));
+}
+
+std::int64_t leap_seconds_ns(const conventions::TimeSpan& ins) {
+  return kSecond_ns * formats::leap_seconds_at_gps_s(formats::gps_ns_from_unix_ns(ins.first_ns) / kSecond_ns);
+}
+
+/// Whether as many scans lie within where they are moved by the usual difference, either way.
+bool covers_leap_seconds(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns, std::size_t inside) {
+  const std::int64_t leap_ns = leap_seconds_ns(ins.span);
+  return count_within(ins.span, stamps_ns, leap_ns) >= inside && count_within(ins.span, stamps_ns, -leap_ns) >= inside;
 }
 
 struct KnownOffset {
@@ -27,16 +36,15 @@ struct KnownOffset {
 
 /// The usual differences, from the likeliest on.
 std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& ins) {
-  const std::int64_t leap_ns =
-      kSecond_ns * formats::leap_seconds_at_gps_s(formats::gps_ns_from_unix_ns(ins.first_ns) / kSecond_ns);
+  const std::int64_t leap_ns = leap_seconds_ns(ins);
   std::vector<KnownOffset> offsets;
   const auto both_ways = [&](std::int64_t size_ns, const Message& cause) {
     for (const std::int64_t sign : {1, -1}) offsets.push_back({sign * size_ns, cause});
   };
   both_ways(leap_ns, say::guess_offset_leap());
-  both_ways(kGpsEpoch_ns - leap_ns, say::guess_offset_epoch());
-  both_ways(kGpsEpoch_ns, say::guess_offset_epoch());
-  both_ways(1024 * kWeek_ns, say::guess_offset_rollover());
+  both_ways(formats::kGpsEpoch_ns - leap_ns, say::guess_offset_epoch());
+  both_ways(formats::kGpsEpoch_ns, say::guess_offset_epoch());
+  both_ways(1024 * formats::kGpsWeek_ns, say::guess_offset_rollover());
   for (std::int64_t half_hours = 1; half_hours <= 28; ++half_hours)
     both_ways(half_hours * 1800 * kSecond_ns, say::guess_offset_zone());
   for (std::int64_t half_hours = 1; half_hours <= 28; ++half_hours)
@@ -63,11 +71,7 @@ std::optional<Guess> guess_clock(const InsGuess& ins, const std::vector<ScansGue
     stamps_ns.insert(stamps_ns.end(), lidar.stamps_ns.begin(), lidar.stamps_ns.end());
   if (stamps_ns.empty()) return std::nullopt;
   Guess guess{GuessKind::Clock, {}, "", Sureness::Checked, {}, {}};
-  if (ins.week_open) {
-    guess.sureness = Sureness::Likely;
-    guess.evidence.push_back(say::guess_clock_week());
-    return guess;
-  }
+  if (ins.week_open) guess.evidence.push_back(say::guess_clock_week());
   const auto [first, last] = std::ranges::minmax_element(stamps_ns);
   const conventions::TimeSpan scans{*first, *last};
   const std::size_t inside = count_within(ins.span, stamps_ns);
@@ -79,6 +83,9 @@ std::optional<Guess> guess_clock(const InsGuess& ins, const std::vector<ScansGue
   } else if (Message shifted = conventions::shifted_by_leap_seconds(scans, ins.span); !shifted.empty()) {
     guess.sureness = Sureness::Likely;
     guess.evidence.push_back(std::move(shifted));
+  } else if (covers_leap_seconds(ins, stamps_ns, inside)) {
+    guess.sureness = Sureness::Named;
+    guess.evidence.push_back(say::guess_clock_not_to_seconds());
   }
   return guess;
 }

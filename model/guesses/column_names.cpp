@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/time_unit.h"
 
 namespace remount::guesses {
 namespace {
@@ -75,14 +76,18 @@ constexpr std::pair<Quantity, std::string_view> kNames[] = {
     {Quantity::Course, "course,cog,track,trackangle,courseoverground,航迹角"},
 };
 
+/// Beside those of time (time_unit.h). The last ones are known to be other than what a manifest can say.
 constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
-    {"deg", "deg"}, {"degree", "deg"}, {"degrees", "deg"}, {"\xc2\xb0", "deg"}, {"度", "deg"},
-    {"rad", "rad"}, {"radian", "rad"}, {"radians", "rad"}, {"弧度", "rad"},     {"m", "m"},
-    {"meter", "m"}, {"meters", "m"},   {"metre", "m"},     {"metres", "m"},     {"米", "m"},
-    {"s", "s"},     {"sec", "s"},      {"secs", "s"},      {"second", "s"},     {"seconds", "s"},
-    {"秒", "s"},    {"ms", "ms"},      {"msec", "ms"},     {"millis", "ms"},    {"毫秒", "ms"},
-    {"us", "us"},   {"usec", "us"},    {"micros", "us"},   {"\xc2\xb5s", "us"}, {"微秒", "us"},
-    {"ns", "ns"},   {"nsec", "ns"},    {"nanos", "ns"},    {"纳秒", "ns"},      {"nanosec", "ns"}};
+    {"deg", "deg"},    {"degree", "deg"},  {"degrees", "deg"}, {"\xc2\xb0", "deg"}, {"度", "deg"},  {"rad", "rad"},
+    {"radian", "rad"}, {"radians", "rad"}, {"弧度", "rad"},    {"m", "m"},          {"meter", "m"}, {"meters", "m"},
+    {"metre", "m"},    {"metres", "m"},    {"米", "m"},        {"mm", "mm"},        {"毫米", "mm"}, {"cm", "cm"},
+    {"厘米", "cm"},    {"km", "km"},       {"千米", "km"},     {"公里", "km"},      {"ft", "ft"},   {"feet", "ft"},
+    {"foot", "ft"},    {"英尺", "ft"}};
+
+/// What stands where a unit would, and is none.
+constexpr std::string_view kNoUnits =
+    "utc,gps,gpst,gpstime,unix,posix,epoch,since,of,from,the,1970,1980,gpsweek,week,wgs84,hae,msl,ellipsoid,"
+    "ellipsoidal,utm,enu,decimal,dec,north,east,up,true";
 
 std::string plain(std::string_view name) {
   std::string out;
@@ -102,10 +107,29 @@ std::optional<Quantity> named(std::string_view name) {
   return std::nullopt;
 }
 
+/// "deg" of "degrees"; empty where the word is no unit that is known.
+std::string known_unit(std::string_view word) {
+  const std::string name = plain(word);
+  if (const auto unit_ns = formats::time_unit_named_ns(name)) return std::string(formats::time_unit_name(*unit_ns));
+  const auto* found = std::ranges::find(kUnits, name, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kUnits) ? "" : std::string(found->second);
+}
+
+/// "s" of "s since 1970", "m" of "m, WGS84"; as it stands there where a word of it is not known.
 std::string unit_of(std::string_view text) {
-  const std::string words = plain(text);
-  const auto found = std::ranges::find(kUnits, words, &std::pair<std::string_view, std::string_view>::first);
-  return found == std::end(kUnits) ? std::string(formats::trim(text).substr(0, 20)) : std::string(found->second);
+  if (std::string unit = known_unit(text); !unit.empty()) return unit;
+  std::vector<std::string_view> remarks;
+  formats::split_csv(kNoUnits, remarks, ',');
+  std::string unit;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" ,;_\t", at), text.size());
+    const std::string word = plain(text.substr(at, end - at)), known = known_unit(word);
+    at = end + 1;
+    if (word.empty() || std::ranges::find(remarks, word) != remarks.end()) continue;
+    if (known.empty() || (!unit.empty() && unit != known)) return std::string(formats::trim(text).substr(0, 20));
+    unit = known;
+  }
+  return unit;
 }
 
 /// Where a unit in brackets, of Latin letters or of Chinese text, begins; npos where there is none.
@@ -174,9 +198,8 @@ std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_vie
   const bool in_parts = quantity == Quantity::Seconds || quantity == Quantity::Nanoseconds;
   if (!in_parts) quantity = named(title);
   if (!in_parts && words.size() > 1) {
-    const std::string unit = unit_of(words.back());
-    const bool is_unit =
-        std::ranges::find(kUnits, unit, &std::pair<std::string_view, std::string_view>::second) != std::end(kUnits);
+    const std::string unit = known_unit(words.back());
+    const bool is_unit = !unit.empty();
     std::string without_unit;
     for (std::size_t i = 0; i + 1 < words.size(); ++i) without_unit += words[i];
     if (const auto bare = is_unit ? named(without_unit) : std::nullopt) quantity = bare;
@@ -188,6 +211,47 @@ std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_vie
   if (!quantity) return std::nullopt;
   out.quantity = *quantity;
   return out;
+}
+
+bool is_unit(std::string_view text) { return !known_unit(without_brackets(formats::trim(text))).empty(); }
+
+std::string_view units_read(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::Time:
+    case Quantity::HostTime:
+    case Quantity::GpsTime:
+    case Quantity::WeekSeconds:
+    case Quantity::Seconds:
+    case Quantity::Nanoseconds:
+      return "s, ms, us, ns";
+    case Quantity::Latitude:
+    case Quantity::Longitude:
+    case Quantity::Roll:
+    case Quantity::Pitch:
+    case Quantity::Heading:
+    case Quantity::Yaw:
+      return "deg, rad";
+    case Quantity::Height:
+    case Quantity::SeaHeight:
+    case Quantity::East:
+    case Quantity::North:
+    case Quantity::Up:
+    case Quantity::Down:
+    case Quantity::X:
+    case Quantity::Y:
+    case Quantity::Z:
+      return "m";
+    default:
+      return {};
+  }
+}
+
+bool unit_is_read(const NamedQuantity& column) {
+  const std::string_view units = units_read(column.quantity);
+  if (units.empty() || column.unit.empty()) return true;
+  std::vector<std::string_view> known;
+  formats::split_csv(units, known, ',');
+  return std::ranges::find(known, column.unit) != known.end();
 }
 
 }  // namespace remount::guesses

@@ -56,4 +56,12 @@ struct NamedQuantity {
 /// @param unit_below of a line of units; empty where there is none
 std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_view unit_below = {});
 
+/// "(deg)", "秒": a unit and nothing else.
+bool is_unit(std::string_view text);
+
+/// "deg, rad": those in which a manifest can say that this is; empty where any or none will do.
+std::string_view units_read(Quantity quantity);
+/// False where the title states another unit, or one that is not known: its numbers mean something else then.
+bool unit_is_read(const NamedQuantity& column);
+
 }  // namespace remount::guesses

@@ -7,6 +7,7 @@
 #include "algorithms/core/error.h"
 #include "messages/guesses.h"
 #include "messages/stages.h"
+#include "model/conventions/week_of_log.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
@@ -17,7 +18,9 @@
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/session_readers.h"
 #include "model/formats/sessions/native_declared.h"
+#include "model/formats/sessions/several_sessions.h"
 #include "model/guesses/clock_guess.h"
+#include "model/guesses/found_tables.h"
 #include "model/guesses/motion_guess.h"
 
 namespace remount::guesses {
@@ -26,23 +29,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether a reader finds motion and a LiDAR there. Some recognise a log of the INS beside clouds that they do not
-/// read.
-bool reads_all(const formats::SessionReader& reader, const fs::path& path, Progress& progress) {
+/// Why a reader does not read all that is there; nothing where it does. Some recognise a log of the INS beside clouds
+/// that they do not read.
+std::optional<Message> not_read_because(const formats::SessionReader& reader, const fs::path& path, bool clouds,
+                                        Progress& progress) {
   try {
     const drive::Session session = reader.open(path, progress);
-    return session.scans || !session.odometry_from_lidar.empty();
-  } catch (const Error&) {
-    return false;
+    if (!clouds || session.scans || !session.odometry_from_lidar.empty()) return std::nullopt;
+    return say::guess_needs_lidar();
+  } catch (const formats::SeveralSessions&) {
+    return std::nullopt;
+  } catch (const Error& error) {
+    return drive::message_of(error);
   }
 }
 
-/// @param clouds are there, which the reader must be of to make a manifest needless
-std::optional<KnownSession> known_session(const std::vector<fs::path>& paths, bool clouds, Progress& progress) {
+/// @param clouds are there, which the reader must read to make a manifest needless
+std::optional<KnownSession> known_session(const std::vector<fs::path>& paths, bool clouds, Progress& progress,
+                                          std::vector<NotUsed>& not_used) {
   for (const fs::path& path : paths) {
     const formats::SessionReader* reader = formats::recognise_session(path);
-    if (reader && (reader->id() == "native" || !clouds || reads_all(*reader, path, progress)))
-      return KnownSession{path, std::string(reader->id()), reader->description()};
+    if (!reader) continue;
+    const bool native = reader->id() == "native";  // which may name clouds that lie elsewhere, or none
+    auto why_not = not_read_because(*reader, path, clouds && !native, progress);
+    if (!why_not) return KnownSession{path, std::string(reader->id()), reader->description()};
+    if (native) not_used.push_back({path, say::guess_manifest_refused(std::move(*why_not))});
   }
   return std::nullopt;
 }
@@ -102,14 +113,20 @@ bool read_as_declared(const FoundTable& found, InsGuess& ins, std::vector<Messag
 }
 
 std::optional<InsGuess> guess_table(const FoundTable& found, const std::vector<std::int64_t>& stamps_ns,
-                                    std::vector<Message>& missing) {
+                                    const Progress& progress, std::vector<Message>& missing) {
   const ColumnNames names = names_of(found.table);
+  const auto lack = [&](Message what) {
+    missing.push_back(std::move(what));
+    for (Message& unread : unread_units(found.table, names)) missing.push_back(std::move(unread));
+  };
   auto time = choose_time(found.table, names, stamps_ns);
   if (!time) {
-    missing.push_back(say::guess_no_time());
+    lack(say::guess_no_time());
     return std::nullopt;
   }
-  auto motion = choose_motion(found.table, names, time->reading, missing);
+  std::vector<Message> lacks;
+  auto motion = choose_motion(found.table, names, time->reading, progress, lacks);
+  for (Message& what : lacks) lack(std::move(what));
   if (!motion) return std::nullopt;
   InsGuess ins{.file = found.file, .layout = std::move(motion->layout)};
   ins.week_open = time->reading.week_open();
@@ -139,33 +156,10 @@ std::optional<InsGuess> read_poses(const fs::path& file) {
   }
 }
 
-bool is_text(const fs::path& file) {
-  constexpr std::size_t kHead = 4096;
-  const std::string head = formats::read_text_head(file, kHead);
-  return !head.empty() && head.find('\0') == std::string::npos;
-}
-
-std::vector<FoundTable> tables_of(const std::vector<fs::path>& files, std::vector<NotUsed>& not_used,
-                                  Progress& progress) {
-  constexpr std::size_t kMostTables = 200;
-  std::vector<FoundTable> tables;
-  for (const fs::path& file : files) {
-    if (progress.cancelled() || tables.size() == kMostTables) return tables;
-    try {
-      if (!is_text(file)) continue;
-      if (auto table = sample_table(file, formats::read_text_file(file))) tables.push_back({file, std::move(*table)});
-    } catch (const Error& error) {
-      not_used.push_back({file, drive::message_of(error)});
-    }
-  }
-  return tables;
-}
-
 /// Of several the one during which most scans were taken, of those the surest, then the one with most samples.
 double rank_of(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) {
-  const auto inside = std::ranges::count_if(stamps_ns, [&](std::int64_t stamp_ns) {
-    return ins.week_open || (stamp_ns >= ins.span.first_ns && stamp_ns <= ins.span.last_ns);
-  });
+  const auto inside = std::ranges::count_if(
+      stamps_ns, [&](std::int64_t stamp_ns) { return stamp_ns >= ins.span.first_ns && stamp_ns <= ins.span.last_ns; });
   constexpr double kOfScans = 200.0, kOfLog = 100.0;
   double rank = ins.log ? kOfLog : 0.0;
   if (!stamps_ns.empty()) rank += kOfScans * static_cast<double>(inside) / static_cast<double>(stamps_ns.size());
@@ -208,25 +202,37 @@ void take_lidar_poses(const std::vector<FoundTable>& tables, Description& descri
   }
 }
 
-void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>& tables, Description& description) {
+/// As a session does where nothing names the week.
+void place_in_week(InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) {
+  if (!ins.week_open || stamps_ns.empty()) return;
+  const auto [first, last] = std::ranges::minmax_element(stamps_ns);
+  const conventions::TimeSpan scans{*first, *last}, span = ins.span;
+  ins.span = {conventions::placed_in_week_ns(span.first_ns, span, scans),
+              conventions::placed_in_week_ns(span.last_ns, span, scans)};
+}
+
+void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>& tables, const Progress& progress,
+               Description& description) {
   std::vector<std::int64_t> stamps_ns;
   for (const ScansGuess& lidar : description.lidars)
     stamps_ns.insert(stamps_ns.end(), lidar.stamps_ns.begin(), lidar.stamps_ns.end());
   const auto offer = [&](std::optional<InsGuess> one) {
+    if (one) place_in_week(*one, stamps_ns);
     const auto better = [&] { return rank_of(*one, stamps_ns) > rank_of(*description.ins, stamps_ns); };
     if (one && (!description.ins || better())) description.ins = std::move(one);
   };
   for (const fs::path& log : logs) offer(read_log(log, description.not_used));
   for (const FoundTable& found : tables) {
+    if (progress.cancelled()) return;
     const bool of_scans =
         std::ranges::any_of(description.lidars, [&](const ScansGuess& lidar) { return lidar.stamps == found.file; });
-    if (of_scans || found.table.columns.size() < 6) continue;
+    if (of_scans || found.table.columns.size() < kFewestColumnsOfMotion) continue;
     std::vector<Message> lacks;
-    auto motion = guess_table(found, stamps_ns, lacks);
+    auto motion = guess_table(found, stamps_ns, progress, lacks);
     if (!motion && !description.lidars.empty()) motion = read_poses(found.file);
     if (motion) lacks.clear();
     offer(std::move(motion));
-    if (!lacks.empty()) description.not_used.push_back({found.file, say::guess_lacks(std::move(lacks))});
+    for (Message& lack : lacks) description.not_used.push_back({found.file, say::guess_lacks(std::move(lack))});
   }
 }
 
@@ -239,7 +245,9 @@ void tell_missing(const std::vector<FoundTable>& tables, Description& descriptio
   for (const FoundTable& found : tables)
     if (!is_used(found.file, description) &&
         std::ranges::none_of(description.not_used, [&](const NotUsed& one) { return one.path == found.file; }))
-      description.not_used.push_back({found.file, say::guess_other_is_better()});
+      description.not_used.push_back({found.file, found.table.columns.size() < kFewestColumnsOfMotion
+                                                      ? say::guess_too_few_columns()
+                                                      : say::guess_other_is_better()});
   std::erase_if(description.not_used, [&](const NotUsed& one) { return is_used(one.path, description); });
 }
 
@@ -276,10 +284,11 @@ Description describe_data(const std::vector<fs::path>& paths, Progress& progress
   Description description;
   progress.report(say::stage_looking_at_files, 0, 0);
   FoundFiles found = find_files(paths, progress);
-  if (known == KnownFormats::Told) description.known = known_session(paths, !found.clouds.empty(), progress);
+  if (known == KnownFormats::Told)
+    description.known = known_session(paths, !found.clouds.empty(), progress, found.not_used);
   if (description.known) return description;
   description.not_used = std::move(found.not_used);
-  // Tables and logs are few; what comes in thousands are labels, images and the like.
+  put_rare_kinds_first(found.others);
   constexpr std::size_t kMostLookedAt = 2000;
   if (found.others.size() > kMostLookedAt) {
     description.not_used.push_back(
@@ -288,7 +297,7 @@ Description describe_data(const std::vector<fs::path>& paths, Progress& progress
   }
   std::vector<fs::path> logs, texts;
   for (const fs::path& file : found.others) (is_log(file) ? logs : texts).push_back(file);
-  const std::vector<FoundTable> tables = tables_of(texts, description.not_used, progress);
+  const std::vector<FoundTable> tables = find_tables(texts, found.clouds, progress, description.not_used);
   for (const CloudFolder& folder : found.clouds) {
     if (progress.cancelled()) return description;
     description.lidars.push_back(guess_scans(folder, tables));
@@ -301,7 +310,7 @@ Description describe_data(const std::vector<fs::path>& paths, Progress& progress
     lidar.guesses.push_back({GuessKind::Scans, {}, "", Sureness::Named, {say::guess_capture()}, {}});
     description.lidars.push_back(std::move(lidar));
   }
-  guess_ins(logs, tables, description);
+  guess_ins(logs, tables, progress, description);
   if (description.lidars.empty()) take_lidar_poses(tables, description);
   tell_missing(tables, description);
   if (description.ins) description.clock = guess_clock(*description.ins, description.lidars);

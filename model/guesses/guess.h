@@ -23,7 +23,7 @@ enum class GuessKind {
 };
 
 enum class Sureness {
-  Checked,  ///< the data were compared with what it means, and with what else it might mean
+  Checked,  ///< the data bear it out, and of what may mean several things refute the others
   Named,    ///< names say so, and nothing contradicts them
   Likely,   ///< better supported than what else it might mean
   Open,     ///< others fit as well: whoever recorded it has to say

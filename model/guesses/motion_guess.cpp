@@ -13,8 +13,6 @@ namespace {
 
 using drive::AttitudeConvention;
 
-constexpr double kDegree = kPi / 180.0;
-
 /// A way in which position and attitude may be meant, with what the drive says of it.
 struct Hypothesis {
   const PositionReading* position = nullptr;
@@ -26,11 +24,13 @@ struct Hypothesis {
 double size_of_offset(const TravelFit& fit) { return std::abs(fit.offset_rad); }
 
 /// What the heading is off, and what makes a reading unlikely in the same measure.
-double score_of(const AttitudeReading& attitude, const TravelFit& fit) {
-  constexpr double kUpright = 0.8, kNotUpright_rad = 60.0 * kDegree, kUnusual_rad = 0.5 * kDegree, kOfOffset = 0.02;
+double score_of(const PositionReading& position, const AttitudeReading& attitude, const TravelFit& fit) {
+  constexpr double kUpright = 0.8, kNotUpright_rad = 60.0 * kDegree_rad, kUnusual_rad = 0.5 * kDegree_rad,
+                   kOfOffset = 0.02;
   double score_rad = fit.residual_rad + kOfOffset * size_of_offset(fit);
   if (fit.upright < kUpright) score_rad += kNotUpright_rad;
   if (!attitude.usual_for_name) score_rad += kUnusual_rad;
+  if (position.exchanged && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;  // it counts down
   if (!attitude.by_name && fit.slope == SlopeFit::Unrelated) score_rad += kUnusual_rad;
   if (!attitude.by_name && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;
   return score_rad;
@@ -45,14 +45,15 @@ std::size_t stride_for(const TimeReading& time) {
 }
 
 std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
-                                      const std::vector<PositionReading>& positions) {
+                                      const std::vector<PositionReading>& positions, const Progress& progress) {
   std::vector<Hypothesis> out;
   const std::size_t stride = stride_for(time);
   for (const PositionReading& position : positions)
     for (AttitudeReading& attitude : attitude_readings(table, names, time, position)) {
       Hypothesis hypothesis{&position, std::move(attitude), {}, 0.0};
       hypothesis.fit = travel_fit(poses_of(table, time, position, hypothesis.attitude, stride));
-      hypothesis.score_rad = score_of(hypothesis.attitude, hypothesis.fit);
+      if (progress.cancelled()) return {};
+      hypothesis.score_rad = score_of(position, hypothesis.attitude, hypothesis.fit);
       out.push_back(std::move(hypothesis));
     }
   return out;
@@ -61,26 +62,34 @@ std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNam
 bool moves(const Hypothesis& hypothesis) { return hypothesis.fit.steps >= kFewestTravelSteps; }
 
 /// Pitch that goes against the road counts the other way.
-void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis& best) {
-  if (best.attitude.quaternion || best.fit.slope != SlopeFit::Opposite) return;
-  Hypothesis other = best;
+void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis& one) {
+  if (one.attitude.quaternion || one.fit.slope != SlopeFit::Opposite) return;
+  Hypothesis other = one;
   other.attitude.signs[1] = -other.attitude.signs[1];
-  other.fit = travel_fit(poses_of(table, time, *best.position, other.attitude, stride_for(time)));
-  if (other.fit.slope == SlopeFit::Agrees) best = std::move(other);
+  other.fit = travel_fit(poses_of(table, time, *one.position, other.attitude, stride_for(time)));
+  if (other.fit.slope == SlopeFit::Agrees) one = std::move(other);
 }
 
 /// Whether two read the same columns in the same unit, and differ in how they count.
 bool same_columns(const AttitudeReading& a, const AttitudeReading& b) { return a.columns() == b.columns(); }
 
+/// In the place of those that the road refutes.
+void settle_pitches(const SampledTable& table, const TimeReading& time, const Hypothesis& best,
+                    std::vector<Hypothesis>& all) {
+  const std::vector<std::size_t> columns = best.attitude.columns();
+  for (Hypothesis& one : all)
+    if (one.attitude.columns() == columns) settle_pitch(table, time, one);
+}
+
 /// As boxes are built in: in line with the vehicle, or across it.
 bool is_set_square(const TravelFit& fit) {
-  constexpr double kSquare_rad = 15.0 * kDegree;
+  constexpr double kSquare_rad = 15.0 * kDegree_rad;
   return std::abs(wrap_angle_rad(4.0 * fit.offset_rad)) < 4.0 * kSquare_rad;
 }
 
 /// Other ways to count the same columns that the drive does not refute.
 std::vector<const Hypothesis*> others_alike(const std::vector<Hypothesis>& all, const Hypothesis& best) {
-  constexpr double kWithin_rad = 2.0 * kDegree;
+  constexpr double kWithin_rad = 2.0 * kDegree_rad;
   std::vector<const Hypothesis*> alike;
   for (const Hypothesis& other : all) {
     if (other.position != best.position || !same_columns(other.attitude, best.attitude) ||
@@ -114,8 +123,43 @@ const Hypothesis* best_rival(const std::vector<Hypothesis>& all, const Hypothesi
   return rival;
 }
 
+/// Whether two take x and y the one for the other.
+bool is_mirrored(const PositionReading& a, const PositionReading& b) {
+  return !a.geodetic && !b.geodetic && a.exchanged != b.exchanged && a.at[0] == b.at[1] && a.at[1] == b.at[0] &&
+         a.at[2] == b.at[2];
+}
+
+/// The best that takes x and y the one for the other and fits alike, which no drive can tell; null where none does.
+const Hypothesis* mirrored_alike(const std::vector<Hypothesis>& all, const Hypothesis& best) {
+  constexpr double kWithin_rad = 2.0 * kDegree_rad, kStraightAhead_rad = 15.0 * kDegree_rad;
+  const Hypothesis* mirrored = nullptr;
+  for (const Hypothesis& other : all) {
+    if (!is_mirrored(*other.position, *best.position) || !same_columns(other.attitude, best.attitude)) continue;
+    const bool fits =
+        other.fit.residual_rad < best.fit.residual_rad + kWithin_rad && size_of_offset(other.fit) < kStraightAhead_rad;
+    if (fits && (!mirrored || other.score_rad < mirrored->score_rad)) mirrored = &other;
+  }
+  return mirrored;
+}
+
+std::string axes_words(const SampledTable& table, const PositionReading& position) {
+  return "position: {east: " + table.label(position.at[0]) + ", north: " + table.label(position.at[1]) +
+         (position.down ? ", down: " : ", up: ") + table.label(position.at[2]) + "}";
+}
+
+/// A compass heading decides: from north, clockwise. All else goes with x to the east as with x to the north.
+void judge_axes(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best, Guess& guess) {
+  const Hypothesis* mirrored = moves(best) ? mirrored_alike(all, best) : nullptr;
+  const bool decided = best.attitude.telling_name && best.attitude.usual_for_name && !best.position->exchanged;
+  if (!mirrored || decided) return;
+  guess.sureness = Sureness::Open;
+  guess.evidence.push_back(say::guess_axes_not_told());
+  guess.alternatives.push_back(
+      Message::verbatim(axes_words(table, *mirrored->position) + ", attitude: {" + mirrored->attitude.words() + "}"));
+}
+
 void judge_by_travel(const std::vector<Hypothesis>& all, const Hypothesis& best, Guess& guess) {
-  constexpr double kKeepsTo_rad = 10.0 * kDegree, kFarBetter = 3.0, kStraightAhead_rad = 15.0 * kDegree;
+  constexpr double kKeepsTo_rad = 10.0 * kDegree_rad, kFarBetter = 3.0, kStraightAhead_rad = 15.0 * kDegree_rad;
   const TravelFit& fit = best.fit;
   if (!moves(best)) {
     guess.evidence.push_back(say::guess_hardly_moves(fit.steps));
@@ -145,6 +189,7 @@ void judge_by_travel(const std::vector<Hypothesis>& all, const Hypothesis& best,
 
 void judge_tilt(const Hypothesis& best, Guess& guess) {
   if (!moves(best)) return;
+  const bool angles = !best.attitude.quaternion;
   switch (best.fit.slope) {
     case SlopeFit::Agrees:
       guess.evidence.push_back(say::guess_pitch_fits(Angle{best.fit.slope_sigma_rad}));
@@ -156,9 +201,9 @@ void judge_tilt(const Hypothesis& best, Guess& guess) {
       guess.evidence.push_back(say::guess_pitch_unrelated());
       break;
     case SlopeFit::NotTold:
-      guess.evidence.push_back(say::guess_pitch_not_told());
+      if (angles) guess.evidence.push_back(say::guess_pitch_not_told());
   }
-  guess.evidence.push_back(say::guess_roll_not_told());
+  if (angles) guess.evidence.push_back(say::guess_roll_not_told());
 }
 
 Guess attitude_guess(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best) {
@@ -168,6 +213,7 @@ Guess attitude_guess(const SampledTable& table, const std::vector<Hypothesis>& a
   if (!best.attitude.by_name) guess.evidence.push_back(say::guess_by_behaviour());
   judge_by_travel(all, best, guess);
   judge_tilt(best, guess);
+  judge_axes(table, all, best, guess);
   if (!best.attitude.by_name && guess.sureness == Sureness::Checked && best.fit.slope != SlopeFit::Agrees)
     guess.sureness = Sureness::Likely;  // which of the others is pitch, the order alone says
   if (guess.sureness == Sureness::Checked) return guess;
@@ -176,7 +222,33 @@ Guess attitude_guess(const SampledTable& table, const std::vector<Hypothesis>& a
   return guess;
 }
 
-Guess position_guess(const SampledTable& table, const PositionReading& position) {
+/// The same with its third column counted the other way; null where it was not tried.
+const Hypothesis* turned_over(const std::vector<Hypothesis>& all, const Hypothesis& best) {
+  const auto found = std::ranges::find_if(all, [&](const Hypothesis& other) {
+    return other.position->at == best.position->at && other.position->down != best.position->down &&
+           same_columns(other.attitude, best.attitude) && other.attitude.convention == best.attitude.convention &&
+           other.attitude.signs[0] == best.attitude.signs[0] && other.attitude.unit_rad == best.attitude.unit_rad;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// x to the north is unusual, and z may go with it upwards or downwards: rising roads tell as far as pitch counts as it
+/// usually does.
+void judge_exchanged(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best,
+                     Guess& guess) {
+  const PositionReading& position = *best.position;
+  if (!position.exchanged) return;
+  guess.evidence.push_back(say::guess_x_is_north());
+  guess.sureness = Sureness::Likely;
+  const Hypothesis* other = turned_over(all, best);
+  if (!other || (best.fit.slope == SlopeFit::Agrees && !position.down)) return;
+  guess.sureness = Sureness::Open;
+  guess.alternatives.push_back(
+      Message::verbatim(axes_words(table, *other->position) + ", attitude: {" + other->attitude.words() + "}"));
+}
+
+Guess position_guess(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best) {
+  const PositionReading& position = *best.position;
   Guess guess{GuessKind::Position,
               {},
               position.geodetic ? (position.unit_rad == 1.0 ? "rad" : "deg") : "m",
@@ -188,6 +260,7 @@ Guess position_guess(const SampledTable& table, const PositionReading& position)
   if (position.geodetic && !position.unit_by_name) guess.evidence.push_back(say::guess_unit_by_size(guess.unit));
   guess.evidence.push_back(say::guess_way(Length{position.way_m}));
   if (position.above_sea) guess.evidence.push_back(say::guess_above_sea());
+  judge_exchanged(table, all, best, guess);
   return guess;
 }
 
@@ -272,21 +345,22 @@ void put_errors(const SampledTable& table, const ColumnNames& names, ChosenMotio
 }  // namespace
 
 std::optional<ChosenMotion> choose_motion(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
-                                          std::vector<Message>& missing) {
+                                          const Progress& progress, std::vector<Message>& missing) {
   const std::vector<PositionReading> positions = position_readings(table, names, time);
   if (positions.empty()) {
     missing.push_back(say::guess_no_position());
     return std::nullopt;
   }
-  const std::vector<Hypothesis> all = hypotheses_of(table, names, time, positions);
+  std::vector<Hypothesis> all = hypotheses_of(table, names, time, positions, progress);
+  if (progress.cancelled()) return std::nullopt;
   if (all.empty()) {
     missing.push_back(say::guess_no_attitude());
     return std::nullopt;
   }
-  Hypothesis best = *std::ranges::min_element(all, {}, &Hypothesis::score_rad);
-  settle_pitch(table, time, best);
+  const Hypothesis& best = *std::ranges::min_element(all, {}, &Hypothesis::score_rad);
+  settle_pitches(table, time, best, all);
   // Numbers that nobody names are an attitude where they follow the direction of travel through turns.
-  constexpr double kFollows_rad = 15.0 * kDegree;
+  constexpr double kFollows_rad = 15.0 * kDegree_rad;
   if (!best.attitude.by_name) {
     const bool turns = moves(best) && best.fit.turned_rad > kLeastTurned_rad;
     if (!turns || best.fit.residual_rad > kFollows_rad) {
@@ -298,7 +372,7 @@ std::optional<ChosenMotion> choose_motion(const SampledTable& table, const Colum
   chosen.fit = best.fit;
   put_position(table, *best.position, chosen.layout);
   put_attitude(table, best.attitude, chosen.layout);
-  chosen.position = position_guess(table, *best.position);
+  chosen.position = position_guess(table, all, best);
   chosen.attitude = attitude_guess(table, all, best);
   put_errors(table, names, chosen);
   return chosen;

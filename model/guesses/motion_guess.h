@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/core/progress.h"
 #include "model/formats/ins/ins_table.h"
 #include "model/guesses/guess.h"
 #include "model/guesses/sampled_table.h"
@@ -20,8 +21,8 @@ struct ChosenMotion {
   TravelFit fit;
 };
 
-/// Nothing where there is no position or no attitude; `missing` says which.
+/// Nothing where there is no position or no attitude, of which `missing` says which, and where it was cancelled.
 std::optional<ChosenMotion> choose_motion(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
-                                          std::vector<Message>& missing);
+                                          const Progress& progress, std::vector<Message>& missing);
 
 }  // namespace remount::guesses

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "algorithms/messages/message.h"
 #include "model/guesses/column_names.h"
 #include "model/guesses/sampled_table.h"
 
@@ -16,7 +19,13 @@ ColumnNames names_of(const SampledTable& table);
 /// The first column that is called so.
 std::optional<std::size_t> column_called(const ColumnNames& names, Quantity quantity);
 
-/// The first that is called so and holds numbers.
+/// The first that is called so and holds numbers in a unit that is read.
 std::optional<std::size_t> number_column(const SampledTable& table, const ColumnNames& names, Quantity quantity);
+
+/// The unit that those columns state; empty where none does, and nothing where they state several.
+std::optional<std::string> common_unit(const ColumnNames& names, std::span<const std::size_t> columns);
+
+/// What keeps columns from being read: a unit that is not read, angles in several.
+std::vector<Message> unread_units(const SampledTable& table, const ColumnNames& names);
 
 }  // namespace remount::guesses

@@ -15,17 +15,9 @@ namespace remount::guesses {
 namespace {
 
 constexpr double kFastest_mps = 80.0;
-constexpr double kRadians_in_degree = kPi / 180.0;
 
 const std::vector<double>& values_of(const SampledTable& table, std::size_t column) {
   return table.columns[column].values;
-}
-
-double largest_size(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double value : values)
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  return largest;
 }
 
 /// Metres from the first row, on a sphere: enough for directions.
@@ -117,10 +109,10 @@ class PositionReader {
     reading.unit_by_name = unit == "deg" || unit == "rad";
     const bool beyond = largest_size(values_of(table_, reading.at[0])) > kPi / 2.0 + 1e-9 ||
                         largest_size(values_of(table_, reading.at[1])) > kPi + 1e-9;
-    reading.unit_rad = unit == "rad" ? 1.0 : kRadians_in_degree;
+    reading.unit_rad = unit == "rad" ? 1.0 : kDegree_rad;
     if (reading.unit_by_name || beyond) return;
     reading.unit_rad = 1.0;
-    if (finish(reading).fastest_mps > kFastest_mps) reading.unit_rad = kRadians_in_degree;
+    if (finish(reading).fastest_mps > kFastest_mps) reading.unit_rad = kDegree_rad;
   }
 
   void by_names() {
@@ -129,7 +121,9 @@ class PositionReader {
     if (latitude && longitude && height) {
       PositionReading reading{.at = {*latitude, *longitude, *height}, .geodetic = true, .by_name = true};
       reading.above_sea = names_[*height]->quantity == Quantity::SeaHeight;
-      settle_unit(reading, names_[*latitude]->unit);
+      const auto unit = common_unit(names_, std::array{*latitude, *longitude});
+      if (!unit) return;
+      settle_unit(reading, *unit);
       finish(reading);
       out_.push_back(std::move(reading));
       return;
@@ -146,6 +140,16 @@ class PositionReader {
     const auto z = first_of({Quantity::Z, Quantity::Height, Quantity::SeaHeight, Quantity::Up});
     if (!x || !y || !z) return;
     PositionReading reading{.at = {*x, *y, *z}, .by_name = true};
+    finish(reading);
+    out_.push_back(std::move(reading));
+    add_exchanged(out_.front(), false);
+    if (names_[*z]->quantity == Quantity::Z) add_exchanged(out_.front(), true);
+  }
+
+  void add_exchanged(PositionReading reading, bool down) {
+    std::swap(reading.at[0], reading.at[1]);
+    reading.exchanged = true;
+    reading.down = down;
     finish(reading);
     out_.push_back(std::move(reading));
   }
@@ -169,11 +173,12 @@ class PositionReader {
         if (movement.way_m < kLeastWay_m || movement.fastest_mps > kFastest_mps ||
             movement.smoothness < kLeastSmoothness)
           return;
+        reading.metres = {};  // of the likeliest alone: there may be hundreds
         found.emplace_back(weight + movement.smoothness, std::move(reading));
       };
       const bool height = largest_size(values_of(table_, i + 2)) < kLargestHeight_m;
       for (const bool exchanged : {false, true})
-        for (const double unit_rad : {kRadians_in_degree, 1.0}) {
+        for (const double unit_rad : {kDegree_rad, 1.0}) {
           const double latitude = (exchanged ? second : first) * unit_rad,
                        longitude = (exchanged ? first : second) * unit_rad;
           if (!height || latitude > kPi / 2.0 || longitude > kPi || latitude < 1e-3) continue;
@@ -183,8 +188,12 @@ class PositionReader {
       add({.at = {i, i + 1, i + 2}}, 0.5);
     }
     std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (auto& [weight, reading] : found)
-      if (out_.size() < kMostReadings) out_.push_back(std::move(reading));
+    if (found.size() > kMostReadings) found.erase(found.begin() + kMostReadings, found.end());
+    for (auto& [weight, reading] : found) {
+      finish(reading);
+      out_.push_back(reading);
+      if (!reading.geodetic) add_exchanged(std::move(reading), false);
+    }
   }
 
   const SampledTable& table_;

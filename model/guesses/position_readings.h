@@ -5,25 +5,30 @@
 #include <array>
 #include <vector>
 
+#include "algorithms/geometry/rotation.h"
 #include "model/guesses/sampled_table.h"
 #include "model/guesses/time_guess.h"
 
 namespace remount::guesses {
 
+inline constexpr double kDegree_rad = degrees_to_radians(1.0);
+
 /// One way in which three columns may be a position.
 struct PositionReading {
   std::array<std::size_t, 3> at{};  ///< latitude, longitude, height; or x, y, z; or east, north, up
   bool geodetic = false;
-  bool on_axes = false;   ///< named as east and north
-  bool down = false;      ///< the third counts downwards
-  double unit_rad = 1.0;  ///< of latitude and longitude
+  bool on_axes = false;    ///< named as east and north
+  bool exchanged = false;  ///< x counts north and y east, though they are not called so
+  bool down = false;       ///< the third counts downwards
+  double unit_rad = 1.0;   ///< of latitude and longitude
   bool by_name = false, unit_by_name = false;
   bool above_sea = false;
   std::vector<Eigen::Vector3d> metres{};  ///< of the sampled rows, from the first; NaN where there is none
   double way_m = 0.0;
 };
 
-/// The likeliest first: those that names say, else those that move as a vehicle does.
+/// The likeliest first: those that names say, else those that move as a vehicle does. Of x, y and z also as north, east
+/// and up or down: which it is, the direction of travel tells beside an attitude, or not at all.
 std::vector<PositionReading> position_readings(const SampledTable& table, const ColumnNames& names,
                                                const TimeReading& time);
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/formats/files/time_stamp.h"
+#include "model/guesses/column_names.h"
 
 namespace remount::guesses {
 namespace {
@@ -178,11 +179,11 @@ Head head_of(std::string_view text, const Parting& parting) {
   head.titles = titles_of(above.back().text, parting);
   if (above.size() > 1 && some_words(above[above.size() - 2]) &&
       above[above.size() - 2].number + 1 == above.back().number) {
-    const auto in_brackets = std::ranges::count_if(head.titles, [](const std::string& title) {
+    const auto units = std::ranges::count_if(head.titles, [](const std::string& title) {
       return title.empty() || title.starts_with('(') || title.starts_with('[') || title.starts_with("deg") ||
-             title == "m" || title == "s" || title == "rad";
+             is_unit(title);
     });
-    if (2 * static_cast<std::size_t>(in_brackets) > head.titles.size()) {
+    if (2 * static_cast<std::size_t>(units) > head.titles.size()) {
       head.units = std::move(head.titles);
       head.titles = titles_of(above[above.size() - 2].text, parting);
       return head;  // by numbers: the units would be a row
@@ -269,6 +270,13 @@ formats::ColumnRef SampledTable::ref(std::size_t column) const {
 
 std::string SampledTable::label(std::size_t column) const {
   return columns[column].title.empty() ? std::to_string(column) : columns[column].title;
+}
+
+double largest_size(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
 }
 
 std::optional<SampledTable> sample_table(const std::filesystem::path& path, std::string_view text) {

@@ -40,6 +40,9 @@ struct SampledTable {
   std::string label(std::size_t column) const;
 };
 
+/// The largest of the sizes; 0 of none.
+double largest_size(const std::vector<double>& values);
+
 /// Nothing where it is no table: fewer than some rows, or hardly a number in them. Never throws but Error(Io) where the
 /// file cannot be read. @param text of the file
 std::optional<SampledTable> sample_table(const std::filesystem::path& path, std::string_view text);

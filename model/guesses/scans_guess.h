@@ -9,16 +9,10 @@
 
 #include "model/formats/clouds/scan_list.h"
 #include "model/guesses/found_files.h"
+#include "model/guesses/found_tables.h"
 #include "model/guesses/guess.h"
-#include "model/guesses/sampled_table.h"
 
 namespace remount::guesses {
-
-/// A table that was found, as far as one can read it.
-struct FoundTable {
-  std::filesystem::path file;
-  SampledTable table;
-};
 
 struct ScansGuess {
   std::string name;                 ///< of the LiDAR, where there are several

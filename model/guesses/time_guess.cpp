@@ -7,6 +7,7 @@
 #include "algorithms/core/median.h"
 #include "messages/guesses.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/files/time_unit.h"
 #include "model/formats/poses/pose_columns.h"
 
 namespace remount::guesses {
@@ -17,10 +18,12 @@ using formats::TimeScale;
 
 constexpr double kWeek_s = 604'800.0, kDay_s = 86'400.0;
 constexpr double kEarliest_s = 3e8, kLatest_s = 4.1e9;  // 1979 to 2099
-constexpr double kGpsEpoch_s = 315'964'800.0;
+constexpr double kGpsEpoch_s = 1e-9 * static_cast<double>(formats::kGpsEpoch_ns);
 constexpr double kNotATime = std::numeric_limits<double>::quiet_NaN();
 
+/// Numbers that are no time of any clock are none here.
 double unix_s_from_gps_s(double gps_s) {
+  if (!(std::abs(gps_s) < 2.0 * kLatest_s)) return kNotATime;
   return gps_s + kGpsEpoch_s - formats::leap_seconds_at_gps_s(static_cast<std::int64_t>(gps_s));
 }
 
@@ -54,11 +57,10 @@ std::vector<double> first_values(const std::vector<double>& values) {
   return first;
 }
 
-std::int64_t unit_ns_named(const std::string& unit) {
-  return unit == "s" ? 1'000'000'000 : unit == "ms" ? 1'000'000 : unit == "us" ? 1'000 : unit == "ns" ? 1 : 0;
-}
-std::string unit_name(std::int64_t unit_ns) {
-  return unit_ns == 1'000'000'000 ? "s" : unit_ns == 1'000'000 ? "ms" : unit_ns == 1'000 ? "us" : "ns";
+/// Beside whole seconds: none reaches a second.
+bool is_rest_of_second(const SampledColumn& column) {
+  const std::vector<double> first = first_values(column.values);
+  return column.numeric && std::ranges::all_of(first, [](double value) { return value >= 0.0 && value < 1e9; });
 }
 
 class TimeReader {
@@ -130,21 +132,41 @@ class TimeReader {
 
   void add_numbers(std::size_t column, std::optional<Quantity> quantity) {
     const std::vector<double>& values = table_.columns[column].values;
-    if (quantity == Quantity::Seconds)
-      if (const auto rest = find(Quantity::Nanoseconds)) return add_in_parts(column, *rest);
+    const auto seconds = find(Quantity::Seconds), rest = find(Quantity::Nanoseconds);
+    const bool in_parts = seconds && rest && is_rest_of_second(table_.columns[*rest]);
+    if (quantity == Quantity::Seconds && in_parts) return add_in_parts(column, *rest);
+    if (quantity == Quantity::Nanoseconds && !in_parts && goes_up(values))
+      return add_counted(column, 1, Quantity::Time, 3.0, true);
     static constexpr Quantity kTimes[] = {Quantity::Time,        Quantity::HostTime, Quantity::GpsTime,
                                           Quantity::WeekSeconds, Quantity::Seconds,  Quantity::Date};
     const bool named = quantity && std::ranges::find(kTimes, *quantity) != std::end(kTimes);
-    if (quantity && !named) return;
+    if (quantity && (!named || !unit_is_read(*names_[column]))) return;
     if (!goes_up(values)) return;
-    const std::string unit = named && names_[column] ? names_[column]->unit : "";
-    const std::int64_t stated_ns = unit_ns_named(unit);
+    const std::string unit = named ? names_[column]->unit : "";
+    const std::int64_t stated_ns = formats::time_unit_named_ns(unit).value_or(0);
+    const bool counts = counts_lines(table_.columns[column]) && stated_ns == 0;
+    if (counts && named) return add_counter(column, *quantity);
     const auto unit_ns = stated_ns != 0 ? std::optional(stated_ns) : unit_of(values);
     if (!unit_ns) return;
     const bool host = quantity == Quantity::HostTime;
     double weight = !named ? 0.5 : host ? 1.0 : quantity == Quantity::Time ? 3.0 : 2.8;
-    if (counts_lines(table_.columns[column]) && stated_ns == 0) weight = std::min(weight, 0.1);
+    if (counts) weight = std::min(weight, 0.1);
     add_counted(column, *unit_ns, quantity, weight, stated_ns != 0);
+  }
+
+  /// Whole numbers of one step that are called a time, in no unit that is stated: in each in which rows would follow
+  /// each other as those of a log do, the longest in which they do so within a second before the others.
+  void add_counter(std::size_t column, Quantity quantity) {
+    constexpr double kShortest_s = 1e-4, kUsual_s = 1.0, kLongest_s = 20.0;
+    const std::vector<double> first = first_values(table_.columns[column].values);
+    bool usual_found = false;
+    for (const std::int64_t unit_ns : {1'000'000'000, 1'000'000, 1'000, 1}) {
+      const double step_s = (first[1] - first[0]) * 1e-9 * static_cast<double>(unit_ns);
+      if (step_s < kShortest_s || step_s > kLongest_s) continue;
+      const bool usual = !usual_found && step_s <= kUsual_s;
+      usual_found = usual_found || usual;
+      add_counted(column, unit_ns, quantity, usual ? 2.0 : 1.8, false);
+    }
   }
 
   std::optional<std::int64_t> unit_of(const std::vector<double>& values) const {
@@ -173,7 +195,7 @@ class TimeReader {
     TimeReading reading;
     reading.columns.time = table_.ref(column);
     reading.columns.time_unit_ns = unit_ns;
-    reading.unit = unit_name(unit_ns);
+    reading.unit = formats::time_unit_name(unit_ns);
     reading.at = {column};
     reading.by_name = quantity.has_value();
     reading.unit_by_name = unit_by_name;
@@ -242,23 +264,47 @@ Message scale_words(const TimeReading& reading) {
 Message alternative_of(const SampledTable& table, const TimeReading& reading, double apart_s) {
   std::vector<std::string> columns;
   for (const std::size_t column : reading.at) columns.push_back(table.label(column));
+  if (apart_s == 0.0)
+    return say::guess_unit_alternative(std::move(columns), reading.unit, Duration{reading.last_s - reading.first_s});
   return say::guess_time_alternative(std::move(columns), reading.unit, scale_words(reading), Duration{apart_s});
+}
+
+constexpr double kSame_s = 1e-3;
+
+/// Of the first times, 0 where they are the same.
+double apart(const TimeReading& a, const TimeReading& b) {
+  const double apart_s = a.first_s - b.first_s;
+  return std::abs(apart_s) < kSame_s ? 0.0 : apart_s;
+}
+
+bool differ(const TimeReading& a, const TimeReading& b) {
+  return apart(a, b) != 0.0 || std::abs(a.last_s - b.last_s) >= kSame_s;
+}
+
+/// Whether another way to read the same columns has none of as many stamps within.
+bool stamps_tell(const std::vector<TimeReading>& readings, std::size_t chosen,
+                 const std::vector<std::int64_t>& stamps_ns) {
+  const TimeReading& ours = readings[chosen];
+  const std::size_t inside = within(ours, stamps_ns);
+  return inside > 0 && std::ranges::none_of(readings, [&](const TimeReading& other) {
+           return &other != &ours && other.at == ours.at && differ(other, ours) && within(other, stamps_ns) >= inside;
+         });
 }
 
 void say_alternatives(const SampledTable& table, const std::vector<TimeReading>& readings, std::size_t chosen,
                       const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
-  constexpr double kSame_s = 1e-3;
   const TimeReading& ours = readings[chosen];
   const std::size_t inside = within(ours, stamps_ns);
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const TimeReading& other = readings[i];
-    const double apart_s = other.first_s - ours.first_s;
+    const double apart_s = apart(other, ours);
     const bool other_column = other.at.front() != ours.at.front();
+    const bool as_good = !other_column && inside > 0 && within(other, stamps_ns) >= inside;
     // What lies away from scans that the chosen one covers is no alternative; what is hardly likely neither.
     const bool refuted = !stamps_ns.empty() && 2 * within(other, stamps_ns) < inside;
-    if (i == chosen || other.weight < 0.2 * ours.weight || (refuted && !other_column)) continue;
-    if (!other_column && other.weight < 0.5 * ours.weight) continue;
-    if (std::abs(apart_s) < kSame_s) continue;
+    if (i == chosen || !differ(other, ours)) continue;
+    if (!as_good && (other.weight < 0.2 * ours.weight || (refuted && !other_column))) continue;
+    if (!as_good && !other_column && other.weight < 0.5 * ours.weight) continue;
     guess.alternatives.push_back(alternative_of(table, other, apart_s));
     if (!refuted && other.weight >= 0.8 * ours.weight) guess.sureness = Sureness::Open;
   }
@@ -298,7 +344,8 @@ std::optional<ChosenTime> choose_time(const SampledTable& table, const ColumnNam
   if (!reading.unit_by_name) guess.evidence.push_back(say::guess_unit_by_size(reading.unit));
   if (!reading.by_name) guess.evidence.push_back(say::guess_time_by_going_up());
   say_alternatives(table, readings, chosen, stamps_ns, guess);
-  if (most > 0 && reading.first_s > kEarliest_s && guess.sureness != Sureness::Open) guess.sureness = Sureness::Checked;
+  const bool checked = reading.first_s > kEarliest_s && stamps_tell(readings, chosen, stamps_ns);
+  if (checked && guess.sureness != Sureness::Open) guess.sureness = Sureness::Checked;
   return ChosenTime{reading, std::move(guess)};
 }
 

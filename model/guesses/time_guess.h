@@ -40,7 +40,7 @@ struct ChosenTime {
 std::optional<ChosenTime> choose_time(const SampledTable& table, const ColumnNames& names,
                                       const std::vector<std::int64_t>& stamps_ns);
 
-/// "48.1 Hz": rows a second, by the median step of those that are kept.
+/// "48.1 Hz": rows a second, by their number and the time from the first to the last.
 double rows_per_second(const SampledTable& table, const TimeReading& reading);
 
 }  // namespace remount::guesses

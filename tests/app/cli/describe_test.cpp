@@ -48,8 +48,13 @@ TEST_F(describe_verb, a_manifest_is_written_that_opens_and_is_not_replaced_unask
 TEST_F(describe_verb, what_a_format_is_known_of_is_said_to_be_so) {
   const Outcome known = run("describe " + path("drive") + " -o " + path("never.yaml"));
   EXPECT_EQ(known.code, 0) << known.err;
-  EXPECT_NE(known.out.find("without a manifest"), std::string::npos) << known.out;
+  EXPECT_NE(known.out.find("has a manifest already, which can be opened"), std::string::npos) << known.out;
   EXPECT_FALSE(fs::exists(path("never.yaml")));
+  fs::rename(path("drive/ins.csv"), path("ins.csv"));
+  const Outcome broken = run("describe " + path("drive"));
+  EXPECT_EQ(broken.code, 3) << "what `inspect` refuses is not said to open";
+  EXPECT_NE(broken.out.find("a manifest that cannot be opened"), std::string::npos) << broken.out;
+  fs::rename(path("ins.csv"), path("drive/ins.csv"));
 }
 
 TEST_F(describe_verb, what_is_missing_is_named_and_ends_with_3) {

@@ -54,8 +54,9 @@ TEST_F(doubtful_data, a_vehicle_that_stands_does_not_tell_how_its_heading_counts
   EXPECT_FALSE(nothing.complete());
 }
 
-/// Half a minute straight on at 10 m/s, with a compass heading.
-std::vector<WrittenSample> straight_drive(double heading_rad, std::int64_t first_ns) {
+/// Half a minute straight on at 10 m/s, with a compass heading. @param hills_m how high they are
+std::vector<WrittenSample> straight_drive(double heading_rad, std::int64_t first_ns, double hills_m = 0.0) {
+  constexpr double kHill_m = 30.0;
   std::vector<WrittenSample> samples;
   for (int i = 0; i < 600; ++i) {
     WrittenSample sample;
@@ -63,8 +64,9 @@ std::vector<WrittenSample> straight_drive(double heading_rad, std::int64_t first
     sample.ins.stamp_ns = first_ns + i * 50'000'000LL;
     sample.ins.latitude_rad = 0.85 + way_m * std::cos(heading_rad) / 6'371'000.0;
     sample.ins.longitude_rad = 0.15 + way_m * std::sin(heading_rad) / 6'371'000.0 / std::cos(0.85);
-    sample.ins.height_m = 250.0;
-    sample.ins.enu_from_ins = drive::enu_from_ins({heading_rad, 0.0, 0.0}, drive::AttitudeConvention::Heading);
+    sample.ins.height_m = 250.0 + hills_m * std::sin(way_m / kHill_m);
+    const double slope_rad = std::atan(hills_m / kHill_m * std::cos(way_m / kHill_m));
+    sample.ins.enu_from_ins = drive::enu_from_ins({heading_rad, slope_rad, 0.0}, drive::AttitudeConvention::Heading);
     samples.push_back(sample);
   }
   return samples;
@@ -92,6 +94,22 @@ TEST_F(doubtful_data, a_straight_drive_tells_by_the_angle_alone_and_says_so) {
   std::cout << english(words(either->sureness)) << ", alternatives " << either->alternatives.size() << "\n";
   EXPECT_EQ(either->sureness, Sureness::Open);
   EXPECT_GE(either->alternatives.size(), 2U);
+}
+
+TEST_F(doubtful_data, a_pitch_that_the_road_refutes_is_no_alternative) {
+  const std::int64_t first_ns = session_->scans->stamp_ns(0) - 1'000'000'000;
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  folder.write("motion.txt", table_text(layouts()[9], straight_drive(degrees_to_radians(30.0), first_ns, 3.0)));
+  const Description found = described({folder.path()});
+  ASSERT_TRUE(found.ins);
+  const Guess* attitude = find_guess(found.ins->guesses, GuessKind::Attitude);
+  EXPECT_EQ(found.ins->layout.yaw_pitch_roll_signs[1], -1.0);
+  EXPECT_TRUE(std::ranges::none_of(attitude->alternatives, [](const Message& one) {
+    return english(one) == "convention: enu-yaw, unit: deg";
+  })) << "the road goes the other way";
+  EXPECT_EQ(attitude->alternatives.size(), 1U) << "across, and counted the other way";
+  EXPECT_EQ(attitude->sureness, Sureness::Likely);
 }
 
 TEST_F(doubtful_data, an_ins_across_its_vehicle_is_told_with_the_angle) {

@@ -1,0 +1,377 @@
+// What was taken for something else, with a comment that was sure of it.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "algorithms/messages/render.h"
+#include "model/formats/files/running_period.h"
+#include "model/formats/files/time_unit.h"
+#include "tests/model/guesses/described_drive.h"
+
+namespace remount::guesses {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Fields = std::vector<std::string>;
+
+constexpr const char* kGeodeticHead = ",lat,lon,h,roll,pitch,heading\n";
+
+Fields geodetic(const WrittenSample& sample) { return joined(place_deg(sample), angles(heading_angles(sample))); }
+
+/// Its attitude in the metric world, as that is turned against true north.
+drive::AttitudeAngles metric_angles(const WrittenSample& sample, drive::AttitudeConvention convention) {
+  return drive::angles_from(Eigen::Quaterniond(sample.world_from_ins.linear()), convention);
+}
+
+/// Round and round, with a compass heading.
+std::vector<WrittenSample> circles(std::int64_t first_ns, double duration_s) {
+  constexpr double kRadius_m = 40.0, kRate_radps = 0.2, kEarth_m = 6'371'000.0;
+  std::vector<WrittenSample> samples;
+  for (int i = 0; i < static_cast<int>(20.0 * duration_s); ++i) {
+    const double angle_rad = kRate_radps * 0.05 * i;
+    WrittenSample sample;
+    sample.ins.stamp_ns = first_ns + i * 50'000'000LL;
+    sample.ins.latitude_rad = 0.85 + kRadius_m * std::sin(angle_rad) / kEarth_m;
+    sample.ins.longitude_rad = 0.15 - kRadius_m * std::cos(angle_rad) / kEarth_m / std::cos(0.85);
+    sample.ins.height_m = 250.0;
+    sample.ins.enu_from_ins = drive::enu_from_ins({angle_rad, 0.0, 0.0}, drive::AttitudeConvention::Heading);
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+class misleading_data : public DescribedDrive {
+ protected:
+  /// Rows by the number of the sample.
+  static void write_rows(const fs::path& file, const std::string& head,
+                         const std::function<Fields(std::size_t, const WrittenSample&)>& row,
+                         const std::vector<WrittenSample>& samples) {
+    std::ofstream out(file);
+    out << head;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const Fields fields = row(i, samples[i]);
+      for (std::size_t k = 0; k < fields.size(); ++k) out << (k == 0 ? "" : ",") << fields[k];
+      out << "\n";
+    }
+  }
+  static void write_rows(const fs::path& file, const std::string& head,
+                         const std::function<Fields(std::size_t, const WrittenSample&)>& row) {
+    write_rows(file, head, row, *samples_);
+  }
+
+  static void rename_scans(const fs::path& scans, const std::function<std::string(std::size_t)>& name) {
+    for (std::size_t i = 0; fs::exists(scans / (std::to_string(i) + ".pcd")); ++i)
+      fs::rename(scans / (std::to_string(i) + ".pcd"), scans / name(i));
+  }
+
+  static void expect_stamps_of_the_drive(const ScansGuess& lidar) {
+    ASSERT_EQ(lidar.stamps_ns.size(), session_->scans->size());
+    for (std::size_t i = 0; i < lidar.stamps_ns.size(); ++i)
+      EXPECT_LT(std::abs(lidar.stamps_ns[i] - session_->scans->stamp_ns(i)), 1000) << i;
+  }
+
+  /// Of the INS that was found; null where there is none.
+  static const Guess* guess_of(const Description& found, GuessKind kind) {
+    return found.ins ? find_guess(found.ins->guesses, kind) : nullptr;
+  }
+
+  static bool says_why(const Description& found, std::string_view words) {
+    return std::ranges::any_of(found.not_used,
+                               [&](const NotUsed& one) { return formats::contains(english(one.why), words); });
+  }
+};
+
+TEST_F(misleading_data, a_column_that_counts_rows_names_no_scans) {
+  for (const char* counter : {"", "satellites"}) {
+    const formats::TemporaryFolder folder;
+    write_scans(native_drive(), folder.path(), ScanNames::RowsOfTimes);
+    const bool rows = std::string_view(counter).empty();
+    write_rows(folder.path() / "ins.csv", std::string(counter) + ",time" + kGeodeticHead,
+               [&](std::size_t i, const WrittenSample& sample) {
+                 return joined({std::to_string(rows ? i : 5 + i / 40 % 8), seconds_text(sample.ins.stamp_ns)},
+                               geodetic(sample));
+               });
+    const Description found = described({folder.path()});
+    ASSERT_EQ(found.lidars.size(), 1U);
+    ASSERT_TRUE(found.lidars[0].table) << counter;
+    EXPECT_EQ(found.lidars[0].table->table.filename(), "timestamps.txt") << counter;
+    expect_stamps_of_the_drive(found.lidars[0]);
+    ASSERT_TRUE(found.ins);
+    EXPECT_EQ(found.ins->file.filename(), "ins.csv");
+  }
+}
+
+TEST_F(misleading_data, x_to_the_north_is_not_read_mirrored) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_rows(
+      folder.path() / "ins.csv", "time,x,y,z,roll,pitch,heading\n", [](std::size_t, const WrittenSample& sample) {
+        const Fields east_north_up = place_m(sample);
+        const drive::AttitudeAngles a = metric_angles(sample, drive::AttitudeConvention::Heading);
+        return joined({std::to_string(sample.ins.stamp_ns), east_north_up[1], east_north_up[0], east_north_up[2]},
+                      angles(a));
+      });
+  const Description found = described({folder.path()});
+  const Guess *position = guess_of(found, GuessKind::Position), *attitude = guess_of(found, GuessKind::Attitude);
+  ASSERT_TRUE(position && attitude);
+  EXPECT_EQ(position->columns, (Fields{"y", "x", "z"}));
+  EXPECT_TRUE(says(position->evidence, "guess-x-is-north"));
+  EXPECT_EQ(attitude->sureness, Sureness::Open) << "somebody's heading may count from x";
+  EXPECT_TRUE(says(attitude->evidence, "guess-axes-not-told"));
+  const double apart = motions_apart(opened(found, folder.path()), *session_);
+  std::cout << "motions " << apart << " apart\n";
+  EXPECT_LT(apart, kTextPrecision);
+}
+
+TEST_F(misleading_data, yaw_beside_x_and_y_does_not_tell_which_is_north) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_rows(folder.path() / "ins.csv", "time,x,y,z,roll,pitch,yaw\n", [](std::size_t, const WrittenSample& sample) {
+    return joined(joined({std::to_string(sample.ins.stamp_ns)}, place_m(sample)),
+                  angles(metric_angles(sample, drive::AttitudeConvention::EnuYaw)));
+  });
+  const Description found = described({folder.path()});
+  const Guess* attitude = guess_of(found, GuessKind::Attitude);
+  ASSERT_TRUE(attitude);
+  EXPECT_EQ(attitude->sureness, Sureness::Open);
+  EXPECT_TRUE(std::ranges::any_of(attitude->alternatives, [](const Message& one) {
+    return formats::contains(english(one), "position: {east: y, north: x");
+  }));
+  EXPECT_LT(motions_apart(opened(found, folder.path()), *session_), kTextPrecision);
+}
+
+TEST_F(misleading_data, units_that_titles_state_are_obeyed_or_refused) {
+  const std::int64_t first_ns = samples_->front().ins.stamp_ns;
+  for (const auto& [title, unit] : {std::pair("time (milliseconds)", "ms"),
+                                    {"time (msecs)", "ms"},
+                                    {"time (microseconds)", "us"},
+                                    {"time (\xce\xbcs)", "us"},
+                                    {"time[nsecs]", "ns"}}) {
+    const formats::TemporaryFolder folder;
+    const std::int64_t unit_ns = *formats::time_unit_named_ns(unit);
+    write_rows(folder.path() / "ins.csv", title + std::string(kGeodeticHead),
+               [&](std::size_t, const WrittenSample& sample) {
+                 return joined({std::to_string((sample.ins.stamp_ns - first_ns) / unit_ns)}, geodetic(sample));
+               });
+    const Description found = described({folder.path()});
+    const Guess* time = guess_of(found, GuessKind::Time);
+    ASSERT_TRUE(time) << title;
+    EXPECT_EQ(time->unit, unit) << title;
+    EXPECT_FALSE(says(time->evidence, "guess-unit-by-size")) << title;
+  }
+  for (const auto& [head, why] :
+       {std::pair("time,X(mm),Y(mm),Z(mm),roll,pitch,heading\n", "unit \"mm\" of X(mm), Y(mm), Z(mm)"),
+        {"time,lat,lon,Altitude (ft),roll,pitch,heading\n", "unit \"ft\" of Altitude (ft)"},
+        {"time (h),lat,lon,alt,roll,pitch,heading\n", "unit \"h\" of time (h)"},
+        {"time,lat,lon,alt,roll(rad),pitch(rad),heading(deg)\n", "are in different units"}}) {
+    const formats::TemporaryFolder folder;
+    write_rows(folder.path() / "ins.csv", head, [](std::size_t, const WrittenSample& sample) {
+      return joined({seconds_text(sample.ins.stamp_ns)}, geodetic(sample));
+    });
+    const Description found = described({folder.path()});
+    EXPECT_FALSE(found.ins) << head;
+    EXPECT_TRUE(says_why(found, why)) << head;
+  }
+}
+
+TEST_F(misleading_data, a_time_in_whole_steps_goes_before_an_odometer) {
+  for (const std::size_t step : {1, 10}) {
+    const formats::TemporaryFolder folder;
+    double way_m = 0.0;
+    write_rows(folder.path() / "ins.csv", "time,odometer" + std::string(kGeodeticHead),
+               [&](std::size_t i, const WrittenSample& sample) {
+                 return joined({std::to_string(step * i), number(way_m += 0.05)}, geodetic(sample));
+               });
+    const Description found = described({folder.path()});
+    const Guess* time = guess_of(found, GuessKind::Time);
+    ASSERT_TRUE(time) << step;
+    EXPECT_EQ(time->columns, Fields{"time"}) << step;
+    EXPECT_EQ(time->sureness, Sureness::Open) << "seconds or milliseconds?";
+    EXPECT_TRUE(says(time->alternatives, "guess-unit-alternative")) << step;
+  }
+}
+
+TEST_F(misleading_data, numbers_of_scans_with_gaps_are_no_seconds) {
+  const auto every_fifth = [](std::size_t i) {
+    const std::string number = std::to_string(5 * i);
+    return std::string(6 - number.size(), '0') + number + ".pcd";
+  };
+  for (const bool with_table : {true, false}) {
+    const formats::TemporaryFolder folder;
+    write_scans(native_drive(), folder.path(), ScanNames::RowsOfTimes);
+    rename_scans(folder.path() / "scans", every_fifth);
+    if (!with_table) fs::remove(folder.path() / "timestamps.txt");
+    const Description found = described({folder.path()});
+    ASSERT_EQ(found.lidars.size(), 1U);
+    const Guess* stamps = find_guess(found.lidars[0].guesses, GuessKind::Stamps);
+    if (with_table) {
+      ASSERT_TRUE(found.lidars[0].table);
+      expect_stamps_of_the_drive(found.lidars[0]);
+    } else if (stamps) {
+      EXPECT_EQ(stamps->sureness, Sureness::Open);
+      EXPECT_FALSE(stamps->alternatives.empty());
+    }
+  }
+}
+
+TEST_F(misleading_data, seconds_of_a_week_that_do_not_meet_the_scans_are_told) {
+  for (const int hours : {0, 8}) {
+    const formats::TemporaryFolder folder;
+    write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+    write_rows(folder.path() / "ins.csv", "TOW(s)" + std::string(kGeodeticHead),
+               [&](std::size_t, const WrittenSample& sample) {
+                 const std::int64_t gps_ns = formats::gps_ns_from_unix_ns(sample.ins.stamp_ns);
+                 return joined({seconds_text((gps_ns - hours * 3600'000'000'000) % formats::kGpsWeek_ns)},
+                               geodetic(sample));
+               });
+    const Description found = described({folder.path()});
+    ASSERT_TRUE(found.ins && found.clock) << hours;
+    EXPECT_TRUE(says(found.clock->evidence, "guess-clock-week"));
+    const Guess* time = guess_of(found, GuessKind::Time);
+    if (hours == 0) {
+      EXPECT_EQ(found.clock->sureness, Sureness::Checked);
+      EXPECT_EQ(time->sureness, Sureness::Checked);
+      continue;
+    }
+    EXPECT_EQ(found.clock->sureness, Sureness::Open);
+    EXPECT_TRUE(found.open());
+    EXPECT_EQ(time->sureness, Sureness::Named) << "nothing was found to agree";
+    ASSERT_EQ(found.clock->alternatives.size(), 1U);
+    EXPECT_TRUE(formats::contains(english(found.clock->alternatives.front()), "-28800")) << hours;
+  }
+}
+
+TEST_F(misleading_data, of_two_logs_of_a_week_the_one_of_the_scans_is_taken) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  for (const int days : {1, 0})
+    write_rows(folder.path() / (days == 1 ? "a.csv" : "b.csv"), "TOW(s)" + std::string(kGeodeticHead),
+               [&](std::size_t, const WrittenSample& sample) {
+                 const std::int64_t gps_ns = formats::gps_ns_from_unix_ns(sample.ins.stamp_ns);
+                 return joined({seconds_text((gps_ns + days * 86'400'000'000'000) % formats::kGpsWeek_ns)},
+                               geodetic(sample));
+               });
+  const Description found = described({folder.path()});
+  ASSERT_TRUE(found.ins);
+  EXPECT_EQ(found.ins->file.filename(), "b.csv");
+}
+
+TEST_F(misleading_data, dates_that_hold_the_scans_in_two_scales_are_not_checked) {
+  const std::int64_t first_ns = session_->scans->stamp_ns(0);
+  for (const double before_s : {60.0, 2.0}) {
+    const formats::TemporaryFolder folder;
+    write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+    const double scans_s =
+        1e-9 * static_cast<double>(session_->scans->stamp_ns(session_->scans->size() - 1) - first_ns);
+    write_rows(
+        folder.path() / "ins.csv", "time" + std::string(kGeodeticHead),
+        [](std::size_t, const WrittenSample& sample) {
+          return joined({formats::format_date_ns(sample.ins.stamp_ns)}, geodetic(sample));
+        },
+        circles(first_ns - static_cast<std::int64_t>(1e9 * before_s), scans_s + 2.0 * before_s));
+    const Description found = described({folder.path()});
+    const Guess* time = guess_of(found, GuessKind::Time);
+    ASSERT_TRUE(time && found.clock) << before_s;
+    const bool wide = before_s > 18.0;
+    EXPECT_EQ(time->sureness, wide ? Sureness::Named : Sureness::Checked) << before_s;
+    EXPECT_EQ(time->alternatives.size(), wide ? 1U : 0U) << "in GPS time";
+    EXPECT_EQ(says(found.clock->evidence, "guess-clock-not-to-seconds"), wide) << before_s;
+    EXPECT_EQ(found.clock->sureness, wide ? Sureness::Named : Sureness::Checked) << before_s;
+  }
+}
+
+TEST_F(misleading_data, a_manifest_that_cannot_be_opened_needs_another) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  folder.write(
+      "session.yaml",
+      "format: remount-session/1\nname: half\nscans: {directory: scans, type: pcd, stamps: from-names, timing: "
+      "unknown}\n");
+  write_rows(folder.path() / "ins.csv", "time" + std::string(kGeodeticHead),
+             [](std::size_t, const WrittenSample& sample) {
+               return joined({seconds_text(sample.ins.stamp_ns)}, geodetic(sample));
+             });
+  const Description found = described({folder.path()});
+  EXPECT_FALSE(found.known);
+  EXPECT_TRUE(found.complete());
+  EXPECT_TRUE(says_why(found, "a manifest that cannot be opened"));
+  EXPECT_FALSE(opened(found, folder.path()).ins.empty());
+  const Description again = described({folder.path()});
+  ASSERT_TRUE(again.known) << "now it can";
+  EXPECT_EQ(again.known->format, "native");
+}
+
+TEST_F(misleading_data, poses_of_which_no_name_tells_the_ins_are_not_read_as_they_are) {
+  const formats::TemporaryFolder folder;
+  for (const char* name : {"gt.txt", "odo.txt"}) {
+    std::string text;
+    for (const WrittenSample& sample : *samples_) {
+      const Fields q = wxyz(Eigen::Quaterniond(sample.world_from_ins.linear())), p = place_m(sample);
+      text += seconds_text(sample.ins.stamp_ns) + " " + p[0] + " " + p[1] + " " + p[2] + " " + q[1] + " " + q[2] + " " +
+              q[3] + " " + q[0] + "\n";
+    }
+    folder.write(name, text);
+  }
+  Progress progress;
+  EXPECT_THROW(formats::open_session(folder.path(), progress), Error);
+  EXPECT_FALSE(described({folder.path()}).known);
+}
+
+TEST_F(misleading_data, hundreds_of_small_tables_do_not_hide_the_motion) {
+  constexpr int kLabels = 300;
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  for (int i = 0; i < kLabels; ++i)
+    folder.write("annotations/" + std::to_string(1000 + i) + ".txt", "1 0\n2 0\n0 1\n1 1\n2 2\n3 1\n");
+  fs::create_directories(folder.path() / "ins");
+  write_rows(folder.path() / "ins" / "motion.csv", "time" + std::string(kGeodeticHead),
+             [](std::size_t, const WrittenSample& sample) {
+               return joined({seconds_text(sample.ins.stamp_ns)}, geodetic(sample));
+             });
+  const Description found = described({folder.path()});
+  ASSERT_TRUE(found.ins);
+  EXPECT_EQ(found.ins->file.filename(), "motion.csv");
+  EXPECT_EQ(found.not_used.size(), 1U) << "all of them at once";
+  EXPECT_TRUE(says_why(found, "300 tables"));
+}
+
+TEST_F(misleading_data, tables_beyond_a_number_are_said_to_be_left) {
+  const formats::TemporaryFolder folder;
+  for (int i = 0; i < 230; ++i)
+    folder.write(std::to_string(1000 + i) + ".tab",
+                 "1,0,1,1,1,1\n2,0,1,1,1,1\n0,1,1,1,1,1\n1,1,1,1,1,1\n2,2,1,1,1,1\n");
+  EXPECT_TRUE(says_why(described({folder.path()}), "this and 30 in all were not looked at"));
+}
+
+TEST_F(misleading_data, nanoseconds_alone_are_the_whole_time) {
+  for (const char* title : {"time_nsec", "stamp_nsec", "timestamp_nanosec"}) {
+    const formats::TemporaryFolder folder;
+    write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+    write_rows(folder.path() / "ins.csv", title + std::string(kGeodeticHead),
+               [](std::size_t, const WrittenSample& sample) {
+                 return joined({std::to_string(sample.ins.stamp_ns)}, geodetic(sample));
+               });
+    const Description found = described({folder.path()});
+    ASSERT_TRUE(found.ins) << title;
+    EXPECT_EQ(found.ins->span.first_ns, samples_->front().ins.stamp_ns) << title;
+  }
+}
+
+TEST_F(misleading_data, a_line_of_chinese_units_holds_no_titles) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_rows(folder.path() / "ins.csv", "时间,纬度,经度,高程,横滚,俯仰,航向\n秒,度,度,米,度,度,度\n",
+             [](std::size_t, const WrittenSample& sample) {
+               return joined({seconds_text(sample.ins.stamp_ns)}, geodetic(sample));
+             });
+  const Description found = described({folder.path()});
+  const Guess* position = guess_of(found, GuessKind::Position);
+  ASSERT_TRUE(position);
+  EXPECT_EQ(position->sureness, Sureness::Named);
+  EXPECT_EQ(position->columns, (Fields{"纬度", "经度", "高程"}));
+  EXPECT_LT(motions_apart(opened(found, folder.path()), *session_), kTextPrecision);
+}
+
+}  // namespace
+}  // namespace remount::guesses
