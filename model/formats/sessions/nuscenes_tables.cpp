@@ -34,8 +34,8 @@ template <class Take>
 bool for_rows(const fs::path& table, Stage stage, Progress& progress, drive::BadItems& bad, Take&& take) {
   TableRows rows(table);
   for (std::size_t row = 0;; ++row) {
-    if (row % kRowsBetweenLooks == 0 && progress.cancelled()) return false;
     if (row % kRowsBetweenReports == 0) progress.report(stage, row, 0);
+    if (row % kRowsBetweenLooks == 0 && progress.cancelled()) return false;
     try {
       if (!rows.next()) return true;
       take(rows);

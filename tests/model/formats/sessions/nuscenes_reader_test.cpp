@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <stop_token>
+#include <thread>
 
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
@@ -266,15 +268,41 @@ TEST(nuscenes_reader, every_table_can_be_cancelled) {
   NuscenesFixture fixture;
   fixture.add_scene(folder, "scene-1");
   fixture.write(folder);
-  std::stop_source stop;
-  stop.request_stop();
-  Progress cancelled(stop.get_token());
-  EXPECT_EQ(kept_nuscenes_tables(folder.path() / "v1.0-mini", cancelled), nullptr);
+  // Asked to stop by the beginning of a table, it reads no further one.
+  const auto expect_stopped = [](std::size_t at_table, const std::function<bool(Progress&)>& has_read) {
+    std::stop_source stop;
+    std::size_t begun = 0;
+    Progress cancelled(stop.get_token(), [&](const ProgressUpdate&) {
+      if (++begun == at_table) stop.request_stop();
+    });
+    EXPECT_FALSE(has_read(cancelled)) << at_table;
+    EXPECT_EQ(begun, at_table);
+  };
+  constexpr std::size_t kTablesOfSweeps = 5;
+  for (std::size_t table = 1; table <= kTablesOfSweeps; ++table)
+    expect_stopped(table, [&](Progress& progress) {
+      return kept_nuscenes_tables(folder.path() / "v1.0-mini", progress) != nullptr;
+    });
   Progress progress;
   const auto tables = kept_nuscenes_tables(folder.path() / "v1.0-mini", progress);
   ASSERT_NE(tables, nullptr);
-  EXPECT_EQ(kept_ego_poses(tables, cancelled), nullptr);
+  expect_stopped(1, [&](Progress& cancelled) { return kept_ego_poses(tables, cancelled) != nullptr; });
   EXPECT_EQ(kept_ego_poses(tables, progress)->global_from_ego.size(), 4U);
+}
+
+TEST(nuscenes_reader, tables_that_nobody_asks_for_are_given_back) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.add_scene(folder, "scene-1");
+  fixture.write(folder);
+  make_old(folder);
+  Progress progress;
+  std::weak_ptr<const NuscenesTables> tables = kept_nuscenes_tables(folder.path() / "v1.0-mini", progress);
+  EXPECT_FALSE(tables.expired()) << "for the next that asks";
+  const std::chrono::milliseconds usual = keep_nuscenes_for(std::chrono::milliseconds(1));
+  for (int i = 0; i < 1000 && !tables.expired(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_TRUE(tables.expired());
+  keep_nuscenes_for(usual);
 }
 
 TEST(nuscenes_reader, a_scan_stands_for_its_scene_where_there_are_several) {
