@@ -143,10 +143,10 @@ std::vector<AttitudeReading> attitude_readings(const SampledTable& table, const 
 
 std::vector<motion::StampedPose> poses_of(const SampledTable& table, const TimeReading& time,
                                           const PositionReading& position, const AttitudeReading& attitude,
-                                          std::size_t stride) {
+                                          const std::vector<std::size_t>& rows) {
   const auto value = [&](std::size_t column, std::size_t row) { return table.columns[column].values[row]; };
   std::vector<motion::StampedPose> poses;
-  for (std::size_t row = 0; row < time.times_s.size(); row += stride) {
+  for (const std::size_t row : rows) {
     const Eigen::Vector3d& place = position.metres[row];
     if (!std::isfinite(time.times_s[row]) || !place.allFinite()) continue;
     Eigen::Quaterniond enu_from_ins;

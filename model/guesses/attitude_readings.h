@@ -31,9 +31,9 @@ struct AttitudeReading {
 std::vector<AttitudeReading> attitude_readings(const SampledTable& table, const ColumnNames& names,
                                                const TimeReading& time, const PositionReading& position);
 
-/// Of the sampled rows that have everything. @param stride of these that are taken
+/// Of those rows that have everything. @param rows of the sampled ones, going up
 std::vector<motion::StampedPose> poses_of(const SampledTable& table, const TimeReading& time,
                                           const PositionReading& position, const AttitudeReading& attitude,
-                                          std::size_t stride);
+                                          const std::vector<std::size_t>& rows);
 
 }  // namespace remount::guesses

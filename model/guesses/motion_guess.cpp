@@ -6,80 +6,12 @@
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/guesses.h"
-#include "model/guesses/attitude_readings.h"
+#include "model/guesses/motion_hypotheses.h"
 
 namespace remount::guesses {
 namespace {
 
 using drive::AttitudeConvention;
-
-/// A way in which position and attitude may be meant, with what the drive says of it.
-struct Hypothesis {
-  const PositionReading* position = nullptr;
-  AttitudeReading attitude;
-  TravelFit fit;
-  double score_rad = 0.0;  ///< the smaller the better
-};
-
-double size_of_offset(const TravelFit& fit) { return std::abs(fit.offset_rad); }
-
-/// What the heading is off, and what makes a reading unlikely in the same measure.
-double score_of(const PositionReading& position, const AttitudeReading& attitude, const TravelFit& fit) {
-  constexpr double kUpright = 0.8, kNotUpright_rad = 60.0 * kDegree_rad, kUnusual_rad = 0.5 * kDegree_rad,
-                   kOfOffset = 0.02;
-  double score_rad = fit.residual_rad + kOfOffset * size_of_offset(fit);
-  if (fit.upright < kUpright) score_rad += kNotUpright_rad;
-  if (!attitude.usual_for_name) score_rad += kUnusual_rad;
-  if (position.exchanged && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;  // it counts down
-  if (!attitude.by_name && fit.slope == SlopeFit::Unrelated) score_rad += kUnusual_rad;
-  if (!attitude.by_name && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;
-  return score_rad;
-}
-
-/// Some twenty rows a second are enough for directions.
-std::size_t stride_for(const TimeReading& time) {
-  constexpr double kEnough_hz = 20.0;
-  const double span_s = time.last_s - time.first_s;
-  const double rate_hz = span_s > 0.0 ? static_cast<double>(time.times_s.size()) / span_s : 0.0;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(rate_hz / kEnough_hz));
-}
-
-std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
-                                      const std::vector<PositionReading>& positions, const Progress& progress) {
-  std::vector<Hypothesis> out;
-  const std::size_t stride = stride_for(time);
-  for (const PositionReading& position : positions)
-    for (AttitudeReading& attitude : attitude_readings(table, names, time, position)) {
-      Hypothesis hypothesis{&position, std::move(attitude), {}, 0.0};
-      hypothesis.fit = travel_fit(poses_of(table, time, position, hypothesis.attitude, stride));
-      if (progress.cancelled()) return {};
-      hypothesis.score_rad = score_of(position, hypothesis.attitude, hypothesis.fit);
-      out.push_back(std::move(hypothesis));
-    }
-  return out;
-}
-
-bool moves(const Hypothesis& hypothesis) { return hypothesis.fit.steps >= kFewestTravelSteps; }
-
-/// Pitch that goes against the road counts the other way.
-void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis& one) {
-  if (one.attitude.quaternion || one.fit.slope != SlopeFit::Opposite) return;
-  Hypothesis other = one;
-  other.attitude.signs[1] = -other.attitude.signs[1];
-  other.fit = travel_fit(poses_of(table, time, *one.position, other.attitude, stride_for(time)));
-  if (other.fit.slope == SlopeFit::Agrees) one = std::move(other);
-}
-
-/// Whether two read the same columns in the same unit, and differ in how they count.
-bool same_columns(const AttitudeReading& a, const AttitudeReading& b) { return a.columns() == b.columns(); }
-
-/// In the place of those that the road refutes.
-void settle_pitches(const SampledTable& table, const TimeReading& time, const Hypothesis& best,
-                    std::vector<Hypothesis>& all) {
-  const std::vector<std::size_t> columns = best.attitude.columns();
-  for (Hypothesis& one : all)
-    if (one.attitude.columns() == columns) settle_pitch(table, time, one);
-}
 
 /// As boxes are built in: in line with the vehicle, or across it.
 bool is_set_square(const TravelFit& fit) {

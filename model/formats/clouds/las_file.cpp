@@ -9,6 +9,7 @@
 #include "algorithms/core/stamps.h"
 #include "messages/clouds.h"
 #include "model/formats/clouds/cloud_fields.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/files/time_stamp.h"
 
 namespace remount::formats {
@@ -89,10 +90,9 @@ class PointClock {
  public:
   PointClock(bool whole_gps_time, std::int64_t stamp_ns) : whole_(whole_gps_time) {
     if (whole_ || stamp_ns == 0) return;
-    constexpr std::int64_t kWeek_ns = 604'800'000'000'000, kGpsEpoch_ns = 315'964'800'000'000'000;
-    const std::int64_t week = (stamp_ns - kGpsEpoch_ns) / kWeek_ns;
+    const std::int64_t week = (stamp_ns - kGpsEpoch_ns) / kGpsWeek_ns;
     for (std::int64_t near = std::max<std::int64_t>(0, week - 1); near <= week + 1; ++near)
-      starts_s_.push_back(seconds(unix_ns_from_gps_ns(near * kWeek_ns)));
+      starts_s_.push_back(seconds(unix_ns_from_gps_ns(near * kGpsWeek_ns)));
     stamp_s_ = seconds(stamp_ns);
   }
 

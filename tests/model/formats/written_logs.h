@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "algorithms/geometry/rotation.h"
+#include "model/formats/files/time_stamp.h"
 #include "tests/model/formats/random_values.h"
 
 namespace remount::formats {
 
 inline constexpr std::int64_t kSecond_ns = 1'000'000'000, kDay_ns = 86'400 * kSecond_ns, kWeek_ns = 7 * kDay_ns;
-inline constexpr std::int64_t kGpsEpoch_ns = 315'964'800 * kSecond_ns, kLeap_ns = 18 * kSecond_ns;  // since 2017
+inline constexpr std::int64_t kLeap_ns = 18 * kSecond_ns;  // since 2017
 
 inline std::string fixed(double value, int decimals) {
   char text[64];

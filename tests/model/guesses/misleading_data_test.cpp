@@ -3,63 +3,22 @@
 
 #include <iostream>
 
-#include "algorithms/messages/render.h"
 #include "model/formats/files/running_period.h"
 #include "model/formats/files/time_unit.h"
-#include "tests/model/guesses/described_drive.h"
+#include "tests/model/guesses/described_rows.h"
 
 namespace remount::guesses {
 namespace {
 
 namespace fs = std::filesystem;
 
-using Fields = std::vector<std::string>;
-
-constexpr const char* kGeodeticHead = ",lat,lon,h,roll,pitch,heading\n";
-
-Fields geodetic(const WrittenSample& sample) { return joined(place_deg(sample), angles(heading_angles(sample))); }
-
 /// Its attitude in the metric world, as that is turned against true north.
 drive::AttitudeAngles metric_angles(const WrittenSample& sample, drive::AttitudeConvention convention) {
   return drive::angles_from(Eigen::Quaterniond(sample.world_from_ins.linear()), convention);
 }
 
-/// Round and round, with a compass heading.
-std::vector<WrittenSample> circles(std::int64_t first_ns, double duration_s) {
-  constexpr double kRadius_m = 40.0, kRate_radps = 0.2, kEarth_m = 6'371'000.0;
-  std::vector<WrittenSample> samples;
-  for (int i = 0; i < static_cast<int>(20.0 * duration_s); ++i) {
-    const double angle_rad = kRate_radps * 0.05 * i;
-    WrittenSample sample;
-    sample.ins.stamp_ns = first_ns + i * 50'000'000LL;
-    sample.ins.latitude_rad = 0.85 + kRadius_m * std::sin(angle_rad) / kEarth_m;
-    sample.ins.longitude_rad = 0.15 - kRadius_m * std::cos(angle_rad) / kEarth_m / std::cos(0.85);
-    sample.ins.height_m = 250.0;
-    sample.ins.enu_from_ins = drive::enu_from_ins({angle_rad, 0.0, 0.0}, drive::AttitudeConvention::Heading);
-    samples.push_back(sample);
-  }
-  return samples;
-}
-
-class misleading_data : public DescribedDrive {
+class misleading_data : public DescribedRows {
  protected:
-  /// Rows by the number of the sample.
-  static void write_rows(const fs::path& file, const std::string& head,
-                         const std::function<Fields(std::size_t, const WrittenSample&)>& row,
-                         const std::vector<WrittenSample>& samples) {
-    std::ofstream out(file);
-    out << head;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const Fields fields = row(i, samples[i]);
-      for (std::size_t k = 0; k < fields.size(); ++k) out << (k == 0 ? "" : ",") << fields[k];
-      out << "\n";
-    }
-  }
-  static void write_rows(const fs::path& file, const std::string& head,
-                         const std::function<Fields(std::size_t, const WrittenSample&)>& row) {
-    write_rows(file, head, row, *samples_);
-  }
-
   static void rename_scans(const fs::path& scans, const std::function<std::string(std::size_t)>& name) {
     for (std::size_t i = 0; fs::exists(scans / (std::to_string(i) + ".pcd")); ++i)
       fs::rename(scans / (std::to_string(i) + ".pcd"), scans / name(i));
@@ -69,16 +28,6 @@ class misleading_data : public DescribedDrive {
     ASSERT_EQ(lidar.stamps_ns.size(), session_->scans->size());
     for (std::size_t i = 0; i < lidar.stamps_ns.size(); ++i)
       EXPECT_LT(std::abs(lidar.stamps_ns[i] - session_->scans->stamp_ns(i)), 1000) << i;
-  }
-
-  /// Of the INS that was found; null where there is none.
-  static const Guess* guess_of(const Description& found, GuessKind kind) {
-    return found.ins ? find_guess(found.ins->guesses, kind) : nullptr;
-  }
-
-  static bool says_why(const Description& found, std::string_view words) {
-    return std::ranges::any_of(found.not_used,
-                               [&](const NotUsed& one) { return formats::contains(english(one.why), words); });
   }
 };
 
@@ -316,32 +265,6 @@ TEST_F(misleading_data, poses_of_which_no_name_tells_the_ins_are_not_read_as_the
   Progress progress;
   EXPECT_THROW(formats::open_session(folder.path(), progress), Error);
   EXPECT_FALSE(described({folder.path()}).known);
-}
-
-TEST_F(misleading_data, hundreds_of_small_tables_do_not_hide_the_motion) {
-  constexpr int kLabels = 300;
-  const formats::TemporaryFolder folder;
-  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
-  for (int i = 0; i < kLabels; ++i)
-    folder.write("annotations/" + std::to_string(1000 + i) + ".txt", "1 0\n2 0\n0 1\n1 1\n2 2\n3 1\n");
-  fs::create_directories(folder.path() / "ins");
-  write_rows(folder.path() / "ins" / "motion.csv", "time" + std::string(kGeodeticHead),
-             [](std::size_t, const WrittenSample& sample) {
-               return joined({seconds_text(sample.ins.stamp_ns)}, geodetic(sample));
-             });
-  const Description found = described({folder.path()});
-  ASSERT_TRUE(found.ins);
-  EXPECT_EQ(found.ins->file.filename(), "motion.csv");
-  EXPECT_EQ(found.not_used.size(), 1U) << "all of them at once";
-  EXPECT_TRUE(says_why(found, "300 tables"));
-}
-
-TEST_F(misleading_data, tables_beyond_a_number_are_said_to_be_left) {
-  const formats::TemporaryFolder folder;
-  for (int i = 0; i < 230; ++i)
-    folder.write(std::to_string(1000 + i) + ".tab",
-                 "1,0,1,1,1,1\n2,0,1,1,1,1\n0,1,1,1,1,1\n1,1,1,1,1,1\n2,2,1,1,1,1\n");
-  EXPECT_TRUE(says_why(described({folder.path()}), "this and 30 in all were not looked at"));
 }
 
 TEST_F(misleading_data, nanoseconds_alone_are_the_whole_time) {

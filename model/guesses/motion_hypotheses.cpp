@@ -1,0 +1,115 @@
+#include "model/guesses/motion_hypotheses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace remount::guesses {
+namespace {
+
+/// What the heading is off, and what makes a reading unlikely in the same measure.
+double score_of(const PositionReading& position, const AttitudeReading& attitude, const TravelFit& fit) {
+  constexpr double kUpright = 0.8, kNotUpright_rad = 60.0 * kDegree_rad, kUnusual_rad = 0.5 * kDegree_rad,
+                   kOfOffset = 0.02;
+  double score_rad = fit.residual_rad + kOfOffset * size_of_offset(fit);
+  if (fit.upright < kUpright) score_rad += kNotUpright_rad;
+  if (!attitude.usual_for_name) score_rad += kUnusual_rad;
+  if (position.exchanged && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;  // it counts down
+  if (!attitude.by_name && fit.slope == SlopeFit::Unrelated) score_rad += kUnusual_rad;
+  if (!attitude.by_name && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;
+  return score_rad;
+}
+
+/// Some twenty rows a second are enough for directions.
+std::vector<std::size_t> rows_of(const TimeReading& time) {
+  constexpr double kEnough_hz = 20.0;
+  const double span_s = time.last_s - time.first_s;
+  const double rate_hz = span_s > 0.0 ? static_cast<double>(time.times_s.size()) / span_s : 0.0;
+  const std::size_t stride = std::max<std::size_t>(1, static_cast<std::size_t>(rate_hz / kEnough_hz));
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < time.times_s.size(); row += stride) rows.push_back(row);
+  return rows;
+}
+
+/// Stretches from all over the drive, for what is tried by the thousand.
+std::vector<std::size_t> some_stretches(const std::vector<std::size_t>& rows) {
+  constexpr std::size_t kStretches = 10, kRows = 200;
+  if (rows.size() <= kStretches * kRows) return rows;
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < kStretches; ++i) {
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(i * (rows.size() - kRows) / (kStretches - 1));
+    some.insert(some.end(), begin, begin + kRows);
+  }
+  return some;
+}
+
+/// Of thousands those whose columns fit some stretches best, with all ways to read these.
+std::vector<Hypothesis> likeliest_of(std::vector<Hypothesis> all) {
+  constexpr std::size_t kKept = 16;
+  using Columns = std::pair<const PositionReading*, std::vector<std::size_t>>;
+  const auto columns_of = [](const Hypothesis& one) { return Columns(one.position, one.attitude.columns()); };
+  std::map<Columns, double> scores_rad;
+  for (const Hypothesis& one : all) {
+    const auto [found, is_new] = scores_rad.try_emplace(columns_of(one), one.score_rad);
+    if (!is_new) found->second = std::min(found->second, one.score_rad);
+  }
+  if (scores_rad.size() <= kKept) return all;
+  std::vector<double> sorted_rad;
+  for (const auto& [columns, score_rad] : scores_rad) sorted_rad.push_back(score_rad);
+  std::ranges::nth_element(sorted_rad, sorted_rad.begin() + kKept);
+  const double most_rad = sorted_rad[kKept];
+  std::erase_if(all, [&](const Hypothesis& one) { return scores_rad[columns_of(one)] > most_rad; });
+  return all;
+}
+
+/// Pitch that goes against the road counts the other way.
+void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis& one) {
+  if (one.attitude.quaternion || one.fit.slope != SlopeFit::Opposite) return;
+  Hypothesis other = one;
+  other.attitude.signs[1] = -other.attitude.signs[1];
+  other.fit = travel_fit(poses_of(table, time, *one.position, other.attitude, rows_of(time)));
+  if (other.fit.slope == SlopeFit::Agrees) one = std::move(other);
+}
+
+}  // namespace
+
+double size_of_offset(const TravelFit& fit) { return std::abs(fit.offset_rad); }
+
+bool moves(const Hypothesis& hypothesis) { return hypothesis.fit.steps >= kFewestTravelSteps; }
+
+bool same_columns(const AttitudeReading& a, const AttitudeReading& b) { return a.columns() == b.columns(); }
+
+std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
+                                      const std::vector<PositionReading>& positions, const Progress& progress) {
+  std::vector<Hypothesis> out;
+  for (const PositionReading& position : positions)
+    for (AttitudeReading& attitude : attitude_readings(table, names, time, position))
+      out.push_back({&position, std::move(attitude), {}, 0.0});
+  const auto fit = [&](const std::vector<std::size_t>& rows) {
+    for (Hypothesis& one : out) {
+      if (progress.cancelled()) return;
+      one.fit = travel_fit(poses_of(table, time, *one.position, one.attitude, rows));
+      one.score_rad = score_of(*one.position, one.attitude, one.fit);
+    }
+  };
+  const std::vector<std::size_t> rows = rows_of(time), some = some_stretches(rows);
+  constexpr std::size_t kMany = 200;
+  if (out.size() > kMany) {
+    fit(some);
+    out = likeliest_of(std::move(out));
+    if (some.size() == rows.size()) return out;
+  }
+  fit(rows);
+  return out;
+}
+
+void settle_pitches(const SampledTable& table, const TimeReading& time, const Hypothesis& best,
+                    std::vector<Hypothesis>& all) {
+  const std::vector<std::size_t> columns = best.attitude.columns();
+  for (Hypothesis& one : all)
+    if (one.attitude.columns() == columns) settle_pitch(table, time, one);
+}
+
+}  // namespace remount::guesses
