@@ -49,13 +49,17 @@ Message leap_second_hint(double difference_s, double slack_s) {
   return {};
 }
 
-Message cause_of_apart_clocks(std::int64_t lidar_stamp_ns, std::int64_t other_stamp_ns, double apart_s) {
-  constexpr double kSlack_s = 1.0;                              // delays of recorders
+Message power_on_of(std::int64_t lidar_stamp_ns, std::int64_t other_stamp_ns) {
   constexpr std::int64_t kBooted_ns = 100'000'000'000'000'000;  // running for three years, or a date in 1973
   const bool lidar_booted = std::abs(lidar_stamp_ns) < kBooted_ns, other_booted = std::abs(other_stamp_ns) < kBooted_ns;
   if (lidar_booted && !other_booted) return say::clock_of_lidar_since_power_on();
-  if (other_booted && !lidar_booted) return say::clock_since_power_on();
-  return known_cause(apart_s, kSlack_s);
+  return other_booted && !lidar_booted ? say::clock_since_power_on() : Message();
+}
+
+Message cause_of_apart_clocks(std::int64_t lidar_stamp_ns, std::int64_t other_stamp_ns, double apart_s) {
+  constexpr double kSlack_s = 1.0;  // delays of recorders
+  Message power_on = power_on_of(lidar_stamp_ns, other_stamp_ns);
+  return power_on.empty() ? known_cause(apart_s, kSlack_s) : power_on;
 }
 
 Message shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins) {

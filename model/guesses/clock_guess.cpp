@@ -42,6 +42,9 @@ std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& ins) {
     for (const std::int64_t sign : {1, -1}) offsets.push_back({sign * size_ns, cause});
   };
   both_ways(leap_ns, say::guess_offset_leap());
+  constexpr std::int64_t kTaiBeforeGps_ns = 19 * kSecond_ns;
+  both_ways(kTaiBeforeGps_ns, say::guess_offset_tai());
+  both_ways(kTaiBeforeGps_ns + leap_ns, say::guess_offset_tai());
   both_ways(formats::kGpsEpoch_ns - leap_ns, say::guess_offset_epoch());
   both_ways(formats::kGpsEpoch_ns, say::guess_offset_epoch());
   both_ways(1024 * formats::kGpsWeek_ns, say::guess_offset_rollover());
@@ -54,13 +57,27 @@ std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& ins) {
 }
 
 void tell_known_offset(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
-  for (const KnownOffset& offset : known_offsets(ins.span)) {
-    const std::size_t inside = count_within(ins.span, stamps_ns, offset.added_ns);
-    if (10 * inside < 9 * stamps_ns.size()) continue;
-    guess.alternatives.push_back(say::guess_clock_together(
-        inside, stamps_ns.size(), Duration{1e-9 * static_cast<double>(offset.added_ns)}, offset.cause));
+  std::vector<KnownOffset> fit;
+  std::size_t inside = 0;
+  for (KnownOffset& offset : known_offsets(ins.span)) {
+    const std::size_t so_many = count_within(ins.span, stamps_ns, offset.added_ns);
+    if (10 * so_many < 9 * stamps_ns.size()) continue;
+    if (fit.empty()) inside = so_many;
+    fit.push_back(std::move(offset));
+  }
+  if (fit.empty()) return;
+  const auto added = [](const KnownOffset& offset) { return Duration{1e-9 * static_cast<double>(offset.added_ns)}; };
+  if (fit.size() == 1) {
+    guess.alternatives.push_back(
+        say::guess_clock_together(inside, stamps_ns.size(), added(fit.front()), std::move(fit.front().cause)));
     return;
   }
+  const auto [least, most] = std::ranges::minmax_element(fit, {}, &KnownOffset::added_ns);
+  std::vector<Message> causes;
+  for (const KnownOffset& offset : fit)
+    if (std::ranges::find(causes, offset.cause.code(), &Message::code) == causes.end()) causes.push_back(offset.cause);
+  guess.alternatives.push_back(say::guess_clock_together_by_several(inside, stamps_ns.size(), fit.size(), added(*least),
+                                                                    added(*most), std::move(causes)));
 }
 
 }  // namespace
@@ -77,6 +94,8 @@ std::optional<Guess> guess_clock(const InsGuess& ins, const std::vector<ScansGue
   const std::size_t inside = count_within(ins.span, stamps_ns);
   guess.evidence.push_back(say::guess_clock_within(inside, stamps_ns.size()));
   if (inside == 0) guess.evidence.push_back(conventions::time_spans_apart(scans, ins.span));
+  if (Message cause = conventions::power_on_of(scans.first_ns, ins.span.first_ns); inside == 0 && !cause.empty())
+    guess.evidence.push_back(std::move(cause));
   if (10 * inside < 9 * stamps_ns.size()) {
     guess.sureness = Sureness::Open;
     tell_known_offset(ins, stamps_ns, guess);

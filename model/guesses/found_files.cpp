@@ -63,9 +63,22 @@ bool may_be_scans(CloudFormat format, const std::vector<fs::path>& files) {
   });
 }
 
-}  // namespace
-
-namespace {
+/// The first, or another where that is broken: recordings are cut at their ends. Throws Error of the first.
+ScanRead read_one_of(const std::vector<fs::path>& files, CloudFormat format) {
+  const auto read = [&](const fs::path& file) {
+    const formats::ReadCloud cloud = formats::read_cloud_file(file, 0, format, formats::PointTimes::Unused);
+    return ScanRead{file, cloud.cloud.size(), cloud.columns_words()};
+  };
+  try {
+    return read(files.front());
+  } catch (const Error&) {
+    try {
+      return read(files[files.size() / 2]);
+    } catch (const Error&) {  // no better
+    }
+    throw;
+  }
+}
 
 /// Why clouds are no recording; nothing where they may be one.
 std::optional<Message> no_recording(const std::vector<fs::path>& files) {
@@ -114,8 +127,8 @@ FoundFiles find_files(const std::vector<fs::path>& paths, const Progress& progre
       continue;
     }
     try {
-      (void)formats::read_cloud_file(group.front(), 0, format, formats::PointTimes::Unused);
-      found.clouds.push_back({directory, format, std::move(group)});
+      ScanRead read = read_one_of(group, format);
+      found.clouds.push_back({directory, format, std::move(group), std::move(read)});
     } catch (const Error& error) {
       if (format == CloudFormat::Text || format == CloudFormat::KittiBin)
         found.others.insert(found.others.end(), group.begin(), group.end());

@@ -1,6 +1,7 @@
 // What lies in a folder that nobody declared: clouds by folders, captures, and texts.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 
@@ -10,11 +11,19 @@
 
 namespace remount::guesses {
 
-/// Files of one format in one folder, of which the first can be read as a cloud.
+/// A scan that could be read.
+struct ScanRead {
+  std::filesystem::path file;
+  std::size_t points = 0;
+  Message columns;
+};
+
+/// Files of one format in one folder, of which one at least can be read as a cloud.
 struct CloudFolder {
   std::filesystem::path directory;
   formats::CloudFormat format = formats::CloudFormat::Pcd;
   std::vector<std::filesystem::path> files;  ///< in the order of their names
+  ScanRead read;
 };
 
 struct NotUsed {

@@ -144,13 +144,12 @@ ScansGuess guess_scans(const CloudFolder& folder, const std::vector<FoundTable>&
   scans.format = folder.format;
   scans.count = folder.files.size();
   scans.name = folder.directory.filename().string();
-  const auto read = formats::read_cloud_file(folder.files.front(), 0, folder.format, formats::PointTimes::Unused);
   scans.guesses.push_back({GuessKind::Scans,
                            {},
                            "",
                            Sureness::Checked,
-                           {say::guess_scans_read(folder.files.size(), folder.files.front().filename().string(),
-                                                  read.cloud.size(), read.columns_words())},
+                           {say::guess_scans_read(folder.files.size(), folder.read.file.filename().string(),
+                                                  folder.read.points, folder.read.columns)},
                            {}});
   const std::vector<fs::path> in_order = formats::scans_in_order(folder.files, folder.format);
   // What is told by a table comes before numbers that may be times.

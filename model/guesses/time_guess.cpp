@@ -57,6 +57,18 @@ std::vector<double> first_values(const std::vector<double>& values) {
   return first;
 }
 
+/// Seconds of the week that go on over its end.
+std::vector<double> over_weeks(std::vector<double> of_week_s) {
+  double weeks_s = 0.0, before_s = kNotATime;
+  for (double& time_s : of_week_s) {
+    if (!std::isfinite(time_s)) continue;
+    if (time_s + weeks_s < before_s - 0.5 * kWeek_s) weeks_s += kWeek_s;
+    time_s += weeks_s;
+    before_s = time_s;
+  }
+  return of_week_s;
+}
+
 /// Beside whole seconds: none reaches a second.
 bool is_rest_of_second(const SampledColumn& column) {
   const std::vector<double> first = first_values(column.values);
@@ -207,7 +219,7 @@ class TimeReader {
     const auto in_scale = [&](TimeScale scale, double with_weight) {
       reading.columns.time_scale = scale;
       reading.columns.gps_week.reset();
-      reading.times_s = counted_s;
+      reading.times_s = scale == TimeScale::GpsWeek ? over_weeks(counted_s) : counted_s;
       if (scale != TimeScale::Unix)
         for (double& time_s : reading.times_s)
           if (std::isfinite(time_s)) time_s = unix_s_from_gps_s(time_s);
@@ -318,13 +330,11 @@ std::vector<TimeReading> time_readings(const SampledTable& table, const ColumnNa
 
 std::size_t within(const TimeReading& reading, const std::vector<std::int64_t>& stamps_ns) {
   return static_cast<std::size_t>(std::ranges::count_if(stamps_ns, [&](std::int64_t stamp_ns) {
-    double time_s = 1e-9 * static_cast<double>(stamp_ns);
-    // A week that nobody names is that of the scans: only what lies within the week counts.
-    if (reading.week_open()) {
-      const double gps_s = 1e-9 * static_cast<double>(formats::gps_ns_from_unix_ns(stamp_ns));
-      time_s = unix_s_from_gps_s(std::fmod(gps_s, kWeek_s));
-    }
-    return time_s >= reading.first_s && time_s <= reading.last_s;
+    const auto inside = [&](double time_s) { return time_s >= reading.first_s && time_s <= reading.last_s; };
+    if (!reading.week_open()) return inside(1e-9 * static_cast<double>(stamp_ns));
+    // A week that nobody names is that of the scans, or the one before where the log goes on over its end.
+    const double of_week_s = std::fmod(1e-9 * static_cast<double>(formats::gps_ns_from_unix_ns(stamp_ns)), kWeek_s);
+    return inside(unix_s_from_gps_s(of_week_s)) || inside(unix_s_from_gps_s(of_week_s + kWeek_s));
   }));
 }
 

@@ -191,6 +191,61 @@ TEST_F(misleading_data, seconds_of_a_week_that_do_not_meet_the_scans_are_told) {
   }
 }
 
+TEST_F(misleading_data, seconds_of_a_week_go_on_over_its_end) {
+  const std::int64_t first_ns = session_->scans->stamp_ns(0),
+                     in_week_ns = formats::gps_ns_from_unix_ns(first_ns) % formats::kGpsWeek_ns;
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::RowsOfTimes);
+  std::string times;  // of the same scans, with the end of the week in the middle of the drive
+  const std::int64_t moved_ns = formats::kGpsWeek_ns - in_week_ns - 12'000'000'000;
+  for (std::size_t i = 0; i < session_->scans->size(); ++i)
+    times += formats::format_date_ns(session_->scans->stamp_ns(i) + moved_ns) + "\n";
+  folder.write("timestamps.txt", times);
+  for (const int hours : {0, 30}) {
+    write_rows(folder.path() / "ins.csv", "TOW(s)" + std::string(kGeodeticHead),
+               [&](std::size_t, const WrittenSample& sample) {
+                 const std::int64_t gps_ns = formats::gps_ns_from_unix_ns(sample.ins.stamp_ns) + moved_ns;
+                 return joined({seconds_text((gps_ns - hours * 3600'000'000'000) % formats::kGpsWeek_ns)},
+                               geodetic(sample));
+               });
+    const Description found = described({folder.path()});
+    const Guess* time = guess_of(found, GuessKind::Time);
+    ASSERT_TRUE(time && found.clock);
+    EXPECT_EQ(time->sureness, hours == 0 ? Sureness::Checked : Sureness::Named) << hours;
+    EXPECT_EQ(found.clock->sureness, hours == 0 ? Sureness::Checked : Sureness::Open) << hours;
+  }
+}
+
+TEST_F(misleading_data, a_long_log_does_not_tell_which_zone_it_is_in) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  const std::int64_t first_ns = session_->scans->stamp_ns(0) - 10LL * 3600 * 1'000'000'000;  // and ends 8 hours before
+  std::vector<WrittenSample> hours = circles(first_ns, 720.0);
+  for (WrittenSample& sample : hours) sample.ins.stamp_ns = first_ns + (sample.ins.stamp_ns - first_ns) * 10;
+  write_rows(
+      folder.path() / "ins.csv", "time" + std::string(kGeodeticHead),
+      [](std::size_t, const WrittenSample& sample) {
+        return joined({formats::format_date_ns(sample.ins.stamp_ns)}, geodetic(sample));
+      },
+      hours);
+  const Description found = described({folder.path()});
+  ASSERT_TRUE(found.clock);
+  EXPECT_EQ(found.clock->sureness, Sureness::Open);
+  EXPECT_TRUE(says(found.clock->alternatives, "guess-clock-together-by-several"));
+  ASSERT_EQ(found.clock->alternatives.size(), 1U);
+  std::cout << english(found.clock->alternatives.front()) << "\n";
+}
+
+TEST_F(misleading_data, a_broken_scan_at_the_beginning_does_not_lose_the_others) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  const std::string first = std::to_string(session_->scans->stamp_ns(0)) + ".pcd";
+  folder.write("scans/" + first, "# .PCD v0.7\n");
+  const Description found = described({folder.path()});
+  ASSERT_EQ(found.lidars.size(), 1U);
+  EXPECT_EQ(found.lidars[0].count, session_->scans->size());
+}
+
 TEST_F(misleading_data, of_two_logs_of_a_week_the_one_of_the_scans_is_taken) {
   const formats::TemporaryFolder folder;
   write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
