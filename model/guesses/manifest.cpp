@@ -8,6 +8,7 @@
 #include "messages/guesses.h"
 #include "model/drive/lidar_offer.h"
 #include "model/formats/files/printable_text.h"
+#include "model/formats/files/time_unit.h"
 
 namespace remount::guesses {
 
@@ -150,15 +151,12 @@ class ManifestWriter {
     if (text.skip_lines > 0) table.add("skip_lines", DocumentNode::integer(static_cast<std::int64_t>(text.skip_lines)));
   }
 
+  static std::string unit_name(std::int64_t unit_ns) { return std::string(formats::time_unit_name(unit_ns)); }
+
   static DocumentNode time_node(const TimeColumns& time) {
     DocumentNode node = one_line();
     add_named(time.time, node);
-    const char* unit = time.is_date                         ? "date"
-                       : time.time_unit_ns == 1'000'000'000 ? "s"
-                       : time.time_unit_ns == 1'000'000     ? "ms"
-                       : time.time_unit_ns == 1'000         ? "us"
-                                                            : "ns";
-    node.add("unit", DocumentNode::string(unit));
+    node.add("unit", DocumentNode::string(time.is_date ? "date" : unit_name(time.time_unit_ns)));
     node.add("scale", DocumentNode::string(time.time_scale == TimeScale::Unix  ? "unix"
                                            : time.time_scale == TimeScale::Gps ? "gps"
                                                                                : "gps-week"));
@@ -193,11 +191,7 @@ class ManifestWriter {
     if (lidar.stamps) return DocumentNode::string(path(*lidar.stamps));
     if (lidar.in_names) {
       DocumentNode names = one_line();
-      const std::int64_t unit_ns = lidar.in_names->unit_ns;
-      names.add("names", DocumentNode::string(unit_ns == 1           ? "ns"
-                                              : unit_ns == 1'000     ? "us"
-                                              : unit_ns == 1'000'000 ? "ms"
-                                                                     : "s"));
+      names.add("names", DocumentNode::string(unit_name(lidar.in_names->unit_ns)));
       return names;
     }
     if (!lidar.table) return DocumentNode::string("from-names");

@@ -144,11 +144,11 @@ class TimeReader {
 
   void add_numbers(std::size_t column, std::optional<Quantity> quantity) {
     const std::vector<double>& values = table_.columns[column].values;
-    const auto seconds = find(Quantity::Seconds), rest = find(Quantity::Nanoseconds);
-    const bool in_parts = seconds && rest && is_rest_of_second(table_.columns[*rest]);
-    if (quantity == Quantity::Seconds && in_parts) return add_in_parts(column, *rest);
-    if (quantity == Quantity::Nanoseconds && !in_parts && goes_up(values))
+    if (quantity == Quantity::Nanoseconds && !is_rest_of_second(table_.columns[column]) && goes_up(values))
       return add_counted(column, 1, Quantity::Time, 3.0, true);
+    const auto rest = find(Quantity::Nanoseconds);
+    if (rest && is_rest_of_second(table_.columns[*rest]) && are_whole_seconds(column))
+      return add_in_parts(column, *rest);
     static constexpr Quantity kTimes[] = {Quantity::Time,        Quantity::HostTime, Quantity::GpsTime,
                                           Quantity::WeekSeconds, Quantity::Seconds,  Quantity::Date};
     const bool named = quantity && std::ranges::find(kTimes, *quantity) != std::end(kTimes);
@@ -164,6 +164,14 @@ class TimeReader {
     double weight = !named ? 0.5 : host ? 1.0 : quantity == Quantity::Time ? 3.0 : 2.8;
     if (counts) weight = std::min(weight, 0.1);
     add_counted(column, *unit_ns, quantity, weight, stated_ns != 0);
+  }
+
+  bool are_whole_seconds(std::size_t column) const {
+    if (!names_[column]) return false;
+    const auto& [quantity, unit] = *names_[column];
+    const bool named = quantity == Quantity::Seconds || quantity == Quantity::Time;
+    return named && table_.columns[column].whole && (unit.empty() || unit == "s") &&
+           largest_size(table_.columns[column].values) < kLatest_s;
   }
 
   /// Whole numbers of one step that are called a time, in no unit that is stated: in each in which rows would follow

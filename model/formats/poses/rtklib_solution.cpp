@@ -27,7 +27,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t kGpsEpochUnix_ns = std::int64_t{315'964'800} * 1'000'000'000;
 constexpr std::size_t kRtklibHeadBytes = 16 * 1024;
 
 enum class RtklibPlace { Geodetic, Sexagesimal, EarthCentred, Baseline };
@@ -161,7 +160,7 @@ class RtklibRows {
   std::optional<std::int64_t> since_epoch_ns() const {
     if (tokens_[0].find_first_of("/-") != std::string_view::npos) {
       const auto date = parse_date_ns(std::string(tokens_[0]) + " " + std::string(tokens_[1]));
-      return date && *date > kGpsEpochUnix_ns ? std::optional(*date - kGpsEpochUnix_ns) : std::nullopt;
+      return date && *date > kGpsEpoch_ns ? std::optional(*date - kGpsEpoch_ns) : std::nullopt;
     }
     const auto week = parse_integer(tokens_[0]);
     const auto seconds_ns = parse_seconds_ns(tokens_[1]);
@@ -175,7 +174,7 @@ class RtklibRows {
       fail(say::rtklib_no_time(std::string(tokens_[0].substr(0, 20)) + " " + std::string(tokens_[1].substr(0, 20))));
     if (head_.time_scale == "GPST") return unix_ns_from_gps_ns(*time_ns);
     constexpr std::int64_t kJapanAhead_ns = std::int64_t{9 * 3600} * 1'000'000'000;
-    return *time_ns + kGpsEpochUnix_ns - (head_.time_scale == "JST" ? kJapanAhead_ns : 0);
+    return *time_ns + kGpsEpoch_ns - (head_.time_scale == "JST" ? kJapanAhead_ns : 0);
   }
 
   /// Of three errors and three correlated ones, with their sign; in the axes of the columns.

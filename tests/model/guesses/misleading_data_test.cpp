@@ -336,6 +336,25 @@ TEST_F(misleading_data, nanoseconds_alone_are_the_whole_time) {
   }
 }
 
+TEST_F(misleading_data, nanoseconds_beside_whole_seconds_are_their_rest) {
+  for (const char* titles : {"time,nsec", "sec,nanosec", "nsecs,secs"}) {
+    const bool rest_first = std::string_view(titles).starts_with("nsecs");
+    const formats::TemporaryFolder folder;
+    write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+    write_rows(folder.path() / "ins.csv", titles + std::string(kGeodeticHead),
+               [&](std::size_t, const WrittenSample& sample) {
+                 Fields parts{std::to_string(sample.ins.stamp_ns / 1'000'000'000),
+                              std::to_string(sample.ins.stamp_ns % 1'000'000'000)};
+                 if (rest_first) std::swap(parts[0], parts[1]);
+                 return joined(parts, geodetic(sample));
+               });
+    const Description found = described({folder.path()});
+    ASSERT_TRUE(found.ins) << titles;
+    EXPECT_EQ(found.ins->span.first_ns, samples_->front().ins.stamp_ns) << titles;
+    EXPECT_TRUE(found.ins->layout.nanoseconds) << titles;
+  }
+}
+
 TEST_F(misleading_data, a_line_of_chinese_units_holds_no_titles) {
   const formats::TemporaryFolder folder;
   write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
