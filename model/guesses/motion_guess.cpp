@@ -145,12 +145,12 @@ Guess attitude_guess(const SampledTable& table, const std::vector<Hypothesis>& a
   if (!best.attitude.by_name) guess.evidence.push_back(say::guess_by_behaviour());
   judge_by_travel(all, best, guess);
   judge_tilt(best, guess);
-  judge_axes(table, all, best, guess);
   if (!best.attitude.by_name && guess.sureness == Sureness::Checked && best.fit.slope != SlopeFit::Agrees)
     guess.sureness = Sureness::Likely;  // which of the others is pitch, the order alone says
-  if (guess.sureness == Sureness::Checked) return guess;
-  for (const Hypothesis* other : others_alike(all, best))
-    guess.alternatives.push_back(Message::verbatim(other->attitude.words()));
+  if (guess.sureness != Sureness::Checked)
+    for (const Hypothesis* other : others_alike(all, best))
+      guess.alternatives.push_back(Message::verbatim(other->attitude.words()));
+  judge_axes(table, all, best, guess);
   return guess;
 }
 
