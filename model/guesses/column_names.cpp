@@ -215,7 +215,7 @@ std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_vie
 
 bool is_unit(std::string_view text) { return !known_unit(without_brackets(formats::trim(text))).empty(); }
 
-std::string_view units_read(Quantity quantity) {
+std::vector<std::string_view> units_read(Quantity quantity) {
   switch (quantity) {
     case Quantity::Time:
     case Quantity::HostTime:
@@ -223,14 +223,14 @@ std::string_view units_read(Quantity quantity) {
     case Quantity::WeekSeconds:
     case Quantity::Seconds:
     case Quantity::Nanoseconds:
-      return "s, ms, us, ns";
+      return {"s", "ms", "us", "ns"};
     case Quantity::Latitude:
     case Quantity::Longitude:
     case Quantity::Roll:
     case Quantity::Pitch:
     case Quantity::Heading:
     case Quantity::Yaw:
-      return "deg, rad";
+      return {"deg", "rad"};
     case Quantity::Height:
     case Quantity::SeaHeight:
     case Quantity::East:
@@ -240,18 +240,15 @@ std::string_view units_read(Quantity quantity) {
     case Quantity::X:
     case Quantity::Y:
     case Quantity::Z:
-      return "m";
+      return {"m"};
     default:
       return {};
   }
 }
 
 bool unit_is_read(const NamedQuantity& column) {
-  const std::string_view units = units_read(column.quantity);
-  if (units.empty() || column.unit.empty()) return true;
-  std::vector<std::string_view> known;
-  formats::split_csv(units, known, ',');
-  return std::ranges::find(known, column.unit) != known.end();
+  const std::vector<std::string_view> known = units_read(column.quantity);
+  return known.empty() || column.unit.empty() || std::ranges::find(known, column.unit) != known.end();
 }
 
 }  // namespace remount::guesses

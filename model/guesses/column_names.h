@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace remount::guesses {
 
@@ -59,8 +60,8 @@ std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_vie
 /// "(deg)", "秒": a unit and nothing else.
 bool is_unit(std::string_view text);
 
-/// "deg, rad": those in which a manifest can say that this is; empty where any or none will do.
-std::string_view units_read(Quantity quantity);
+/// Units in which a manifest can say that this is; empty where any or none will do.
+std::vector<std::string_view> units_read(Quantity quantity);
 /// False where the title states another unit, or one that is not known: its numbers mean something else then.
 bool unit_is_read(const NamedQuantity& column);
 

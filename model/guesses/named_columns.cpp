@@ -37,13 +37,13 @@ std::optional<std::string> common_unit(const ColumnNames& names, std::span<const
 }
 
 std::vector<Message> unread_units(const SampledTable& table, const ColumnNames& names) {
-  std::map<std::pair<std::string, std::string>, std::vector<std::string>> columns_by_unit;  // stated and expected
+  std::map<std::pair<std::string, std::vector<std::string_view>>, std::vector<std::string>> columns_by_unit;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] && !unit_is_read(*names[i]))
-      columns_by_unit[{names[i]->unit, std::string(units_read(names[i]->quantity))}].push_back(table.label(i));
+      columns_by_unit[{names[i]->unit, units_read(names[i]->quantity)}].push_back(table.label(i));
   std::vector<Message> unread;
   for (const auto& [units, columns] : columns_by_unit)
-    unread.push_back(say::guess_unit_not_read(units.first, columns, units.second));
+    unread.push_back(say::guess_unit_not_read(units.first, columns, {units.second.begin(), units.second.end()}));
   const auto tell_several = [&](std::initializer_list<Quantity> quantities) {
     std::vector<std::size_t> columns;
     for (const Quantity quantity : quantities)
