@@ -171,17 +171,20 @@ void MotionTrack::choose_smoothing() {
   }
 }
 
-std::optional<Passage> MotionTrack::around(std::int64_t stamp_ns) const& {
-  const std::optional<RigidTransform> middle = at(stamp_ns);
-  if (!middle) return std::nullopt;
+std::optional<Passage> MotionTrack::around(std::int64_t stamp_ns, double middle_s) const& {
+  const std::optional<RigidTransform> here = at(stamp_ns);
+  if (!here) return std::nullopt;
   Passage passage;
   passage.track_ = this;
   passage.stamp_ns_ = stamp_ns;
   if (!position_.on && !attitude_.on) return passage;
-  const Window samples = window(stamp_ns);
+  const std::int64_t middle_ns = stamp_ns + std::llround(1e9 * middle_s);
+  const std::optional<RigidTransform> middle = at(middle_ns);
+  const Window samples = window(middle ? middle_ns : stamp_ns);
   if (samples.count < kFewestInWindow / 2) return passage;
   const Eigen::Matrix3Xd weights = parabola_weights(samples.times_s);
-  passage.turned_from_ = middle->linear();
+  passage.middle_s_ = middle ? middle_s : 0.0;
+  passage.turned_from_ = middle ? middle->linear() : here->linear();
   Eigen::Matrix3d position = Eigen::Matrix3d::Zero(), turn = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < samples.count; ++k) {
     const RigidTransform& pose = samples_[samples.first + k].pose;
@@ -195,7 +198,8 @@ std::optional<Passage> MotionTrack::around(std::int64_t stamp_ns) const& {
 }
 
 RigidTransform Passage::fitted(double time_s, const RigidTransform& interpolated) const {
-  const Eigen::Vector3d powers(1.0, time_s, time_s * time_s);
+  const double from_middle_s = time_s - middle_s_;
+  const Eigen::Vector3d powers(1.0, from_middle_s, from_middle_s * from_middle_s);
   RigidTransform pose = interpolated;
   if (position_) pose.translation() = *position_ * powers;
   if (turn_) pose.linear() = turned_from_ * so3_exp(*turn_ * powers);
@@ -204,7 +208,7 @@ RigidTransform Passage::fitted(double time_s, const RigidTransform& interpolated
 
 std::optional<RigidTransform> Passage::at(double time_s) const {
   const auto interpolated = [&](double t_s) { return track_->at(stamp_ns_ + std::llround(t_s * 1e9)); };
-  const double inside_s = std::clamp(time_s, -kHalfWindow_s, kHalfWindow_s);
+  const double inside_s = std::clamp(time_s, middle_s_ - kHalfWindow_s, middle_s_ + kHalfWindow_s);
   std::optional<RigidTransform> base = interpolated(inside_s);
   // The fit goes on where the data end or pause within its window.
   if (!base && position_ && turn_) base = RigidTransform::Identity();

@@ -14,7 +14,7 @@ namespace remount::motion {
 /// The motion of a body near one time: what a scan needs that is taken while the body moves. The track must outlive it.
 class Passage {
  public:
-  /// world_from_body at `time_s` from the middle; nothing where the trajectory does not know.
+  /// world_from_body at `time_s` from the stamp; nothing where the trajectory does not know.
   std::optional<RigidTransform> at(double time_s) const;
   RigidTransform pose() const { return *at(0.0); }
 
@@ -24,6 +24,7 @@ class Passage {
   using Parabola = Eigen::Matrix3d;  // columns: value, slope, half the curvature
   const class MotionTrack* track_ = nullptr;
   std::int64_t stamp_ns_ = 0;
+  double middle_s_ = 0.0;                    ///< of the parabolas, from the stamp
   std::optional<Parabola> position_, turn_;  // nothing: interpolated
   Eigen::Matrix3d turned_from_ = Eigen::Matrix3d::Identity();
 };
@@ -41,7 +42,8 @@ struct BetweenSamples {
 /// Logs whose samples carry independent noise would shake the points of a scan with it: worse, the noise of the pose at
 /// the scan's stamp would enter the motion of the INS and, through the compensation of the scan, the motion of the
 /// LiDAR alike, where it passes for excitation. Such noise is told from motion by third differences, and then `around`
-/// fits a parabola to 0.1 s on either side. Filtered logs, whose samples differ by true motion, are left as they are.
+/// fits a parabola to 0.1 s on either side of its middle. Filtered logs, whose samples differ by true motion, are left
+/// as they are.
 class MotionTrack {
  public:
   MotionTrack() = default;
@@ -58,11 +60,15 @@ class MotionTrack {
 
   /// The motion around a time, with sample noise averaged out where the log has any; nothing outside the data or in a
   /// gap.
-  std::optional<Passage> around(std::int64_t stamp_ns) const&;
-  std::optional<Passage> around(std::int64_t stamp_ns) const&& = delete;
+  /// @param middle_s from the stamp, of the time that will be asked for: what is left of the noise is least about it,
+  /// and more than twice as much at 0.1 s from it
+  std::optional<Passage> around(std::int64_t stamp_ns, double middle_s = 0.0) const&;
+  std::optional<Passage> around(std::int64_t stamp_ns, double middle_s = 0.0) const&& = delete;
 
-  /// How much of the samples' white noise is left in `around(t)->pose()`: 1 where the log is not smoothed. Next to the
-  /// ends of the data and to gaps up to three times as much is left.
+  /// Whether the samples carry noise that `around` averages out, in their positions or attitudes.
+  bool smooths() const { return position_.on || attitude_.on; }
+  /// How much of the samples' white noise is left in the middle of `around(t)`: 1 where the log is not smoothed. Next
+  /// to the ends of the data and to gaps up to three times as much is left.
   double position_noise_factor() const { return position_.noise_factor; }
   double attitude_noise_factor() const { return attitude_.noise_factor; }
 

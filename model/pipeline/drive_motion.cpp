@@ -11,6 +11,7 @@
 #include "messages/pipeline.h"
 #include "model/conventions/assumed_tilt.h"
 #include "model/conventions/impossible_motion.h"
+#include "model/pipeline/scan_times.h"
 
 namespace remount::pipeline {
 
@@ -49,6 +50,7 @@ DriveMotion::DriveMotion(std::vector<std::shared_ptr<const drive::Session>> sess
       throw Error(ErrorCode::Unsupported, session->path.string(), say::pipeline_no_ins_poses());
     offsets_s_.push_back(0.0);
     position_lags_s_.push_back(0.0);
+    middles_s_.push_back(tracks_.back().smooths() ? middle_of_sweeps_s(*session) : 0.0);
     roundings_.push_back(conventions::attitude_rounding(session->ins));
   }
 }
@@ -88,7 +90,7 @@ std::optional<RigidTransform> DriveMotion::local_from_ins(motion::SessionIndex i
 }
 
 std::optional<motion::Passage> DriveMotion::passage(motion::SessionIndex index, std::int64_t lidar_stamp_ns) const {
-  return track(index).around(lidar_stamp_ns + std::llround(offset_s(index) * 1e9));
+  return track(index).around(lidar_stamp_ns + std::llround(offset_s(index) * 1e9), middles_s_[index]);
 }
 
 std::vector<calibration::JointNode> DriveMotion::nodes(const std::vector<motion::Keyframe>& keyframes) const {
@@ -98,9 +100,9 @@ std::vector<calibration::JointNode> DriveMotion::nodes(const std::vector<motion:
     node.session = keyframe.session;
     node.time_s = seconds(keyframe.stamp_ns - track(keyframe.session).samples().front().stamp_ns);
     const auto shift_ns = static_cast<std::int64_t>(std::llround(offset_s(keyframe.session) * 1e9));
-    if (const auto shifted = track(keyframe.session).around(keyframe.stamp_ns + shift_ns))
+    if (const auto shifted = track(keyframe.session).around(keyframe.stamp_ns + shift_ns, middles_s_[keyframe.session]))
       node.local_from_ins = shifted->pose();
-    else if (const auto unshifted = track(keyframe.session).around(keyframe.stamp_ns))
+    else if (const auto unshifted = track(keyframe.session).around(keyframe.stamp_ns, middles_s_[keyframe.session]))
       node.local_from_ins = unshifted->pose();
     if (const auto velocity = track(keyframe.session).body_velocity(keyframe.stamp_ns + shift_ns))
       node.body_velocity = *velocity;

@@ -33,9 +33,10 @@ class DriveMotion {
 
   /// Stamps of what the lidar delivers: scans, or poses of its odometry.
   std::vector<std::int64_t> lidar_stamps_ns(motion::SessionIndex session) const;
-  /// local_from_ins at a lidar stamp; nothing outside the data or in a gap.
+  /// local_from_ins at a lidar stamp, as `passage` has it; nothing outside the data or in a gap.
   std::optional<RigidTransform> local_from_ins(motion::SessionIndex session, std::int64_t lidar_stamp_ns) const;
-  /// The motion of the INS during the scan with this stamp; its middle is `local_from_ins`.
+  /// The motion of the INS during the scan with this stamp, known best in the middle of the time that it took; its pose
+  /// at the stamp is `local_from_ins`.
   std::optional<motion::Passage> passage(motion::SessionIndex session, std::int64_t lidar_stamp_ns) const;
 
   /// The solver's nodes and times for keyframes; poses that the present clock offset moves out of the data keep
@@ -50,6 +51,7 @@ class DriveMotion {
   std::vector<std::shared_ptr<const drive::Session>> sessions_;
   std::vector<motion::MotionTrack> tracks_;
   std::vector<double> offsets_s_, position_lags_s_;
+  std::vector<double> middles_s_;  ///< of the scans from their stamps
   std::vector<conventions::AttitudeRounding> roundings_;
 };
 

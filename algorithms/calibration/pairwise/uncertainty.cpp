@@ -141,7 +141,7 @@ void add_advice_on_few(double by_few, int motions, CalibrationResult& result) {
 // least ground is seen; a LiDAR that looks one way sees little of it in any other. docs/maths/covariance.md (C19)
 Matrix6d registration_limits(bool narrow_field) {
   constexpr double kNarrow_rad = 6e-5, kYaw_rad = 1.75e-5;
-  const double displaced_m = narrow_field ? 8e-4 : 3.6e-4;
+  const double displaced_m = narrow_field ? 1.2e-3 : 3.6e-4;
   const double roll_rad = narrow_field ? kNarrow_rad : 3e-5, pitch_rad = narrow_field ? kNarrow_rad : 1.4e-5;
   Vector6d sigmas;
   sigmas << displaced_m, displaced_m, displaced_m, roll_rad, pitch_rad, kYaw_rad;

@@ -168,6 +168,23 @@ TEST(motion_around_a_time, keeps_the_noise_of_the_middle_out_of_the_motion_over_
   EXPECT_LT(worst_rad, 1.5 * kAttitude_rad);
 }
 
+// Sweeps begin at their stamps: about these their far ends would be bent twice as much.
+TEST(motion_around_a_time, knows_best_what_lies_about_the_middle_that_is_asked_for) {
+  const MotionTrack track(noisy_circle(100.0, 2000, 0.005, 3.5e-4, 3));
+  const auto bend_rad = [&](double middle_s) {
+    double sum = 0.0, count = 0.0;
+    for (double t = 0.5; t < 19.5; t += 0.1037, ++count) {
+      const Passage passage = *track.around(nanoseconds(t), middle_s);
+      const Eigen::Matrix3d moved = passage.pose().linear().transpose() * passage.at(0.1)->linear();
+      const Eigen::Matrix3d truth = on_circle(t).linear().transpose() * on_circle(t + 0.1).linear();
+      sum += so3_log(truth.transpose() * moved).squaredNorm();
+    }
+    return std::sqrt(sum / count);
+  };
+  const double about_stamp_rad = bend_rad(0.0), about_middle_rad = bend_rad(0.05);
+  EXPECT_LT(about_middle_rad, 0.65 * about_stamp_rad) << about_stamp_rad;
+}
+
 TEST(motion_around_a_time, leaves_motion_without_noise_as_it_is) {
   // A vehicle that shakes at 9 Hz: a parabola over 0.2 s would flatten it.
   std::vector<StampedPose> shaking = circle(100.0, 1000);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "algorithms/core/error.h"
+#include "model/pipeline/scan_times.h"
 
 namespace remount::pipeline {
 namespace {
@@ -37,6 +38,22 @@ std::shared_ptr<drive::Session> driven_session(double position_sigma_m = 0.0, do
   for (int i = 0; i <= 200; ++i) session->odometry_from_lidar.push_back({at_ns(0.1 * i), RigidTransform::Identity()});
   return session;
 }
+
+/// A scan that begins at its stamp and takes 0.1 s.
+class SweptScan final : public drive::ScanSource {
+ public:
+  std::size_t size() const override { return 1; }
+  std::int64_t stamp_ns(std::size_t) const override { return at_ns(5.0); }
+  std::string name(std::size_t) const override { return "scan"; }
+  cloud::PointCloud load(std::size_t) const override {
+    cloud::PointCloud cloud;
+    for (int i = 0; i <= 100; ++i) {
+      cloud.points.emplace_back(10.0f, 0.1f * static_cast<float>(i), 0.0f);
+      cloud.time_from_stamp_s.push_back(0.001f * static_cast<float>(i));
+    }
+    return cloud;
+  }
+};
 
 /// Root mean square over the drive of the errors of local_from_ins: position in m, attitude in rad, each per axis.
 std::pair<double, double> rms_error(const DriveMotion& motion) {
@@ -72,6 +89,23 @@ TEST(drive_motion, noise_of_samples_is_averaged_and_the_noise_model_told_so) {
   EXPECT_NEAR(position_m / said.position_white_sigma_m, 1.0, 0.2);
   EXPECT_NEAR(attitude_rad / said.attitude_white_sigma_rad, 1.0, 0.2);
   EXPECT_TRUE(std::isnan(said.attitude_bias_sigma_rad)) << "what the data do not state stays open";
+}
+
+TEST(drive_motion, the_noise_is_least_in_the_middle_of_a_scan) {
+  const auto session = driven_session(0.005, 3.5e-4);
+  session->scans = std::make_shared<SweptScan>();
+  session->scan_timing = drive::ScanTiming::PerPoint;
+  EXPECT_NEAR(middle_of_sweeps_s(*session), 0.05, 1e-6);
+  const DriveMotion motion({session});
+  double sum = 0.0, about_stamps = 0.0;
+  for (double t = 0.5; t < 19.5; t += 0.0731) {
+    const auto off2 = [&](const motion::Passage& passage) {
+      return (passage.at(0.1)->translation() - on_curve(t + 0.1).translation()).squaredNorm();
+    };
+    sum += off2(*motion.passage(motion::SessionIndex{0}, at_ns(t)));
+    about_stamps += off2(*motion.track(motion::SessionIndex{0}).around(at_ns(t)));
+  }
+  EXPECT_LT(std::sqrt(sum / about_stamps), 0.7);
 }
 
 TEST(drive_motion, the_clock_offset_moves_the_lidar_along_the_trajectory) {
