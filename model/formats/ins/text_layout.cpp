@@ -256,6 +256,21 @@ bool names_enough(const TextLayout& layout) {
          there >= static_cast<std::ptrdiff_t>(kLeastColumns);
 }
 
+/// False where no column can be a latitude and none a longitude, whose names have "lat" and "lon": of a line of numbers
+/// that is known sooner than what its columns are called.
+bool may_name_places(std::string_view line) {
+  bool latitude = false, longitude = false;
+  char before_last = ' ', last = ' ';
+  for (const char c : line) {
+    const char small = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    if (!((small >= 'a' && small <= 'z') || (small >= '0' && small <= '9'))) continue;
+    latitude = latitude || (before_last == 'l' && last == 'a' && small == 't');
+    longitude = longitude || (before_last == 'l' && last == 'o' && small == 'n');
+    before_last = last, last = small;
+  }
+  return latitude && longitude;
+}
+
 /// "UTC+1.00", with whatever mark of decimals, and "UTC+5:30". UTC itself where no number follows; nothing where what
 /// follows is no zone.
 std::optional<std::int64_t> zone_ahead_ns(std::string_view name) {
@@ -319,6 +334,7 @@ std::optional<TextLayout> find_text_layout(std::string_view text) {
   for (std::string_view line; lines.next(line) && lines.line_number() <= kMostHeadLines;) {
     inertial_explorer = inertial_explorer || line.find("Inertial Explorer") != std::string_view::npos;
     qinertia = qinertia || line.find("Qinertia") != std::string_view::npos;
+    if (!may_name_places(line)) continue;
     std::string_view names = line;
     if (const std::size_t mark = names.find_first_of("#%"); mark == 0) names.remove_prefix(1);
     const char separator = separator_of(names);

@@ -159,6 +159,8 @@ PoseColumns usual_pose_columns(bool numbered) {
 }
 
 std::optional<PoseColumns> named_pose_columns(std::string_view line) {
+  // Of a line of numbers it is known so that no column is the w of a quaternion, before they are looked at.
+  if (line.find_first_of("wW") == std::string_view::npos) return std::nullopt;
   Found found;
   const std::vector<std::string> names = names_of(line);
   for (std::size_t i = 0; i < names.size(); ++i) found.add(column_name(names[i]), i);
