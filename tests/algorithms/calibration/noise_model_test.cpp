@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/linear_solutions.h"
+#include "algorithms/core/symmetric_eigen.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount::calibration {
@@ -37,7 +37,7 @@ TEST(noise_model, registration_information_is_the_inverse_of_the_sum_of_both_cov
   for (int i = 0; i < 30; ++i) {
     const Matrix6d information = random_information(random, 12);
     const Matrix6d covariance =
-        noise.registration_scale * noise.registration_scale * information.inverse() + floor_covariance(noise);
+        noise.registration_scale * noise.registration_scale * inverse_by_lu(information) + floor_covariance(noise);
     const Matrix6d product = noise.registration_information(information) * covariance;
     EXPECT_LT((product - Matrix6d::Identity()).cwiseAbs().maxCoeff(), 1e-6);
   }
@@ -53,7 +53,7 @@ TEST(noise_model, a_direction_without_information_has_none_and_the_others_keep_t
     EXPECT_LT((result - result.transpose()).norm(), 1e-12 * (1.0 + result.norm()));
     // In units of the floor, so that metres and radians compare.
     const Matrix6d root = floor_covariance(noise).cwiseSqrt();
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(root * result * root);
+    const auto eigen = symmetric_eigen(Matrix6d(root * result * root));
     EXPECT_GT(eigen.eigenvalues()[0], -1e-12) << "rank " << rank;
     EXPECT_LT(eigen.eigenvalues()[5], 1.0) << "never better than the floor";
     for (int i = 0; i < 6 - rank; ++i) EXPECT_NEAR(eigen.eigenvalues()[i], 0.0, 1e-9) << "rank " << rank;

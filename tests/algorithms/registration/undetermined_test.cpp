@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <random>
 
+#include "algorithms/calibration/linear_solutions.h"
+#include "algorithms/core/decompositions.h"
 #include "algorithms/messages/render.h"
 #include "algorithms/registration/registration.h"
 #include "tests/algorithms/support/room.h"
@@ -79,13 +79,13 @@ TEST(undetermined_directions, leave_the_inverse_of_the_covariance_of_the_rest) {
   std::normal_distribution<double> normal;
   const auto filled = [&] { return Matrix6d(Matrix6d::NullaryExpr([&] { return normal(random); })); };
   const Matrix6d root = filled(), information = root * root.transpose() + Matrix6d::Identity(),
-                 axes = Eigen::HouseholderQR<Matrix6d>(filled()).householderQ();
+                 axes = orthogonal_factor(filled());
   UndeterminedDirections directions;
   directions.lever_m = 5.0;
   directions.basis = axes.leftCols<2>();
   const Vector6d scale = (Vector6d() << 1.0, 1.0, 1.0, 5.0, 5.0, 5.0).finished();
   const Eigen::Matrix<double, 6, 4> rest = axes.rightCols<4>();
-  const Matrix6d covariance = scale.asDiagonal() * information.inverse() * scale.asDiagonal();
+  const Matrix6d covariance = scale.asDiagonal() * calibration::inverse_by_lu(information) * scale.asDiagonal();
   const Matrix6d expected = scale.asDiagonal() * rest * (rest.transpose() * covariance * rest).inverse() *
                             rest.transpose() * scale.asDiagonal();
   const Matrix6d found = directions.removed_from(information);

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/symmetric_eigen.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount::search {
@@ -145,7 +145,7 @@ TEST(scoring, reduced_gradient_agrees_with_perturbation) {
           (form.reduced(so3_exp(d) * rotation).value - form.reduced(so3_exp(-d) * rotation).value) / (2.0 * kStep);
     }
     EXPECT_LT((at.gradient - numeric).norm(), 1e-6 * (1.0 + at.gradient.norm())) << numeric.transpose();
-    EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(at.curvature).eigenvalues()[0], -1e-9);
+    EXPECT_GE(symmetric_eigen(at.curvature).eigenvalues()[0], -1e-9);
   }
 }
 

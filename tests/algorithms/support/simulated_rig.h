@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/rig/rig.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
@@ -98,8 +99,7 @@ inline std::vector<Seen> drive_past(const RigOptions& options, std::mt19937_64& 
 }
 
 inline motion::Pair registered(const RigOptions& options, const Seen& a, const Seen& b, std::mt19937_64& random) {
-  const Matrix6d covariance = options.drive.noise.registration_information(registration_information()).inverse();
-  const Matrix6d root = covariance.llt().matrixL();
+  const Matrix6d root = root_of_registration_errors(options.drive.noise);
   motion::Pair pair;
   pair.keyframe_a = index_at<motion::KeyframeIndex>(a.keyframe);
   pair.keyframe_b = index_at<motion::KeyframeIndex>(b.keyframe);

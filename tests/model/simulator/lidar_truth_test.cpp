@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/core/error.h"
 #include "model/simulator/lidar_model.h"
 #include "model/simulator/patterns/spinning_pattern.h"
@@ -77,7 +78,7 @@ RingFit fit_ring(const SimulatedScanSource& source, const cloud::PointCloud& clo
       right += row * residual_m;
       ++fit.points;
     }
-    fit.error += normal.ldlt().solve(right);
+    fit.error += calibration::symmetric_solution(Eigen::MatrixXd(normal), right);
   }
   return fit;
 }

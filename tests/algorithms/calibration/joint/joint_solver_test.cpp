@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "algorithms/calibration/joint/measurement_pulls.h"
+#include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/core/symmetric_eigen.h"
 #include "tests/algorithms/support/simulated_drive.h"
+#include "tests/algorithms/support/size_of_error.h"
 
 namespace remount::calibration {
 namespace {
@@ -15,7 +17,7 @@ const RigidTransform kOff = perturb(testing::mounting(), (Vector6d() << 0.1, -0.
 
 double normalised_error2(const JointSolution& solution, const RigidTransform& truth) {
   const Vector6d error = difference(solution.ins_from_lidar, truth);
-  return error.dot(solution.covariance.ldlt().solve(error));
+  return testing::squared_over_sigma(error, solution.covariance);
 }
 
 // Mean of the normalised squared error of X over problems with different noise; six where covariance and errors agree.
@@ -179,7 +181,7 @@ TEST(joint_solver, errors_of_the_beams_are_found_and_x_errs_as_its_covariance_sa
     EXPECT_TRUE(solution.converged) << "seed " << seed;
     of_x += normalised_error2(solution, drive.ins_from_lidar) / kDrives;
     const Eigen::Vector3d off = solution.beams - errors;
-    of_beams += off.dot(solution.beams_covariance.ldlt().solve(off)) / kDrives;
+    of_beams += testing::squared_over_sigma(off, solution.beams_covariance) / kDrives;
   }
   std::printf("  X: %.2f of 6, without the unknowns %.1f; beams: %.2f of 3\n", of_x, of_x_without, of_beams);
   EXPECT_GT(of_x, 4.4);
@@ -215,8 +217,7 @@ TEST(joint_solver, a_measured_height_is_kept_in_full_beside_single_beams) {
   const JointSolution solution = solve_joint(drive.problem, NoiseModel{}, kOff, 30, {});
   ASSERT_TRUE(solution.converged);
   EXPECT_LT(std::sqrt(solution.covariance(2, 2)), 1.01 * kSigma_m);
-  EXPECT_GT(solution.information.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(),
-            -1e-6 * solution.information.norm());
+  EXPECT_GT(symmetric_eigen(solution.information).eigenvalues().minCoeff(), -1e-6 * solution.information.norm());
 }
 
 TEST(joint_solver, terms_of_weight_zero_are_left_out) {

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "tests/algorithms/support/simulated_drive.h"
+#include "tests/algorithms/support/size_of_error.h"
 
 namespace remount::calibration {
 namespace {
@@ -80,8 +81,8 @@ TEST(shared_errors, sigma_holds_with_them_and_would_not_without) {
       const SharedErrors errors = shared_errors(drive.problem, options.noise, solution);
       const Vector6d off = difference(solution.ins_from_lidar, drive.ins_from_lidar);
       const Matrix6d covariance = solution.covariance + errors.responses * errors.responses.transpose();
-      without += off.dot(solution.covariance.ldlt().solve(off)) / kDrives;
-      with += off.dot(covariance.ldlt().solve(off)) / kDrives;
+      without += testing::squared_over_sigma(off, solution.covariance) / kDrives;
+      with += testing::squared_over_sigma(off, covariance) / kDrives;
       mean_size += errors.size / kDrives;
     }
     std::cout << "  errors " << size << " times the usual: estimated " << mean_size << "; chi-square of six " << with

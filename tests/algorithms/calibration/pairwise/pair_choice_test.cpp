@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <cstdio>
 #include <random>
 #include <set>
@@ -10,6 +9,7 @@
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount::calibration {
 namespace {
@@ -61,7 +61,7 @@ double log_determinant_of(const LongDrive& drive, const std::vector<bool>& taken
   std::vector<double> weights(taken.begin(), taken.end());
   const Matrix6d information =
       expected_information(drive.input, drive.pairs, weights, drive.noise, drive.x, Progress()) + weak_prior(true);
-  return information.ldlt().vectorD().array().log().sum();
+  return symmetric_eigen(information).eigenvalues().array().log().sum();
 }
 
 PairChooser chooser_of(const LongDrive& drive) {

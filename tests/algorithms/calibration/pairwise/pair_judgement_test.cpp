@@ -4,6 +4,7 @@
 
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/pairwise/uncertainty.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
 namespace remount::calibration {

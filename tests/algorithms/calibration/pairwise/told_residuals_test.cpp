@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/pairwise/pairwise.h"
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"

@@ -8,6 +8,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "tests/algorithms/support/size_of_error.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
 namespace remount::calibration {
@@ -70,7 +71,7 @@ TEST(trajectory_alignment, noise_stays_within_the_stated_sigma) {
     const CalibrationResult& result = outcome.answer.result;
     ASSERT_EQ(result.status, Status::Ok) << english(result.message);
     const Vector6d error = error_of(result, drive.ins_from_lidar);
-    chi2 += error.dot(result.covariance.ldlt().solve(error)) / 6.0;
+    chi2 += testing::squared_over_sigma(error, result.covariance) / 6.0;
     squares += error.cwiseAbs2().cwiseQuotient(result.covariance.diagonal());
     if (seed == 1) print("seed 1", result, drive.ins_from_lidar);
   }
@@ -101,7 +102,7 @@ TEST(trajectory_alignment, positions_alone_give_the_lever_arm_and_say_so) {
         << english(result.message);
     const Eigen::Vector3d error = result.mounting.reference_from_sensor.translation() + drive.antenna_in_lidar;
     const Eigen::Matrix3d covariance = result.covariance.topLeftCorner<3, 3>();
-    chi2 += error.dot(covariance.ldlt().solve(error)) / 3.0;
+    chi2 += testing::squared_over_sigma(error, covariance) / 3.0;
     ASSERT_EQ(outcome.answer.quantities.front().id, "lever arm x");
     EXPECT_NEAR(outcome.answer.quantities.front().value, drive.antenna_in_lidar.x(), 0.1);
     if (seed == 1) {
@@ -136,7 +137,7 @@ TEST(trajectory_alignment, errors_of_gnss_that_last_stay_within_the_stated_sigma
         const Eigen::VectorXd error = error_of(result, truth).head(size);
         const Eigen::MatrixXd covariance = result.covariance.topLeftCorner(size, size);
         ASSERT_TRUE(covariance.allFinite()) << english(result.message);
-        chi2 += error.dot(covariance.ldlt().solve(error)) / size;
+        chi2 += testing::squared_over_sigma(error, covariance) / size;
         if (seed == 1) print(positions_only ? "positions" : "poses", result, truth);
       }
       std::printf("  errors of %.0f s: chi-square per degree of freedom over %d seeds %.3f\n", lasting_s, kSeeds,

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include "algorithms/calibration/linear_solutions.h"
 
 namespace remount::calibration {
 namespace {
@@ -41,15 +41,15 @@ TEST(trajectory_chain, solves_what_a_dense_solver_does) {
   }
   ASSERT_TRUE(chain.factor());
   chain.reduce(side);
-  const BorderVector border = chain.reduced().ldlt().solve(side.border);
+  const BorderVector border = symmetric_solution(Eigen::MatrixXd(chain.reduced()), side.border);
   const auto sensitivity = chain.sensitivity();
   chain.substitute(border, side);
-  const Eigen::VectorXd expected = dense.ldlt().solve(dense_side);
+  const Eigen::VectorXd expected = symmetric_solution(dense, dense_side);
   EXPECT_LT((border - expected.tail<kBorderSize>()).norm(), 1e-8 * expected.norm());
   for (int i = 0; i < kPoses; ++i)
     EXPECT_LT((side.poses[static_cast<std::size_t>(i)] - expected.segment<6>(6 * i)).norm(), 1e-8 * expected.norm());
-  const Eigen::MatrixXd follow =
-      -dense.topLeftCorner(6 * kPoses, 6 * kPoses).ldlt().solve(dense.topRightCorner(6 * kPoses, kBorderSize));
+  const Eigen::MatrixXd poses = dense.topLeftCorner(6 * kPoses, 6 * kPoses),
+                        follow = -symmetric_solution(poses, dense.topRightCorner(6 * kPoses, kBorderSize));
   for (int i = 0; i < kPoses; ++i)
     EXPECT_LT((sensitivity[static_cast<std::size_t>(i)] - follow.middleRows<6>(6 * i)).norm(), 1e-8 * follow.norm());
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_equations.h"
 #include "algorithms/core/error.h"
@@ -243,7 +244,7 @@ TEST(vehicle_frame, errors_are_as_large_as_the_covariance_says) {
         found.pitch_rad - exact.pitch_rad, found.roll_rad - exact.roll_rad;
     ASSERT_EQ(result.calibration.status, Status::Ok);
     for (int i = 0; i < 6; ++i) chi2[i] += error[i] * error[i] / result.calibration.covariance(i, i);
-    chi2[6] += error.dot(result.calibration.covariance.inverse() * error);
+    chi2[6] += error.dot(inverse_by_lu(result.calibration.covariance) * error);
   }
   for (int i = 0; i < 6; ++i)
     std::printf("  %s: chi2 / n = %.2f\n", to_string(kParameters[i]).data(), chi2[i] / kSeeds);
@@ -372,8 +373,8 @@ TEST(vehicle_frame, states_no_sigma_below_what_lasting_errors_make_of_it) {
     with_prior.diagonal() += prior;
     Vector6d factors;
     for (int k = 0; k < 6; ++k) factors[k] = 1.0 + 2.0 * unit(random);
-    const Matrix6d widened = factors.asDiagonal() * Matrix6d(with_prior.inverse()) * factors.asDiagonal();
-    Matrix6d information = widened.inverse();
+    const Matrix6d widened = factors.asDiagonal() * inverse_by_lu(with_prior) * factors.asDiagonal();
+    Matrix6d information = inverse_by_lu(widened);
     information.diagonal() -= prior;
     SpuriousInformation none;
     none.apparent = Matrix6d::Identity();
@@ -381,7 +382,7 @@ TEST(vehicle_frame, states_no_sigma_below_what_lasting_errors_make_of_it) {
     const Matrix6d covariance = stated_covariance(widened, prior, directions, solve);
     Matrix6d trusted = trusted_information(directions, solve);
     trusted.diagonal() += prior;
-    const Matrix6d by_information = trusted.inverse();
+    const Matrix6d by_information = inverse_by_lu(trusted);
     for (int k = 0; k < 6; ++k) {
       if (!(covariance(k, k) < limits[k] * limits[k])) continue;
       ++stated;

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "tests/algorithms/odometry/synthetic_drive.h"
+#include "tests/algorithms/support/size_of_error.h"
 
 namespace remount::odometry {
 namespace {
@@ -22,7 +23,7 @@ struct Normalised {
   Vector6d each = Vector6d::Zero();
   Vector6d sigma = Vector6d::Zero();
   void add(const Vector6d& error, const Matrix6d& covariance) {
-    sum += error.dot(covariance.ldlt().solve(error));
+    sum += testing::squared_over_sigma(error, covariance);
     each += error.cwiseAbs2().cwiseQuotient(covariance.diagonal());
     sigma += covariance.diagonal();
     ++count;
