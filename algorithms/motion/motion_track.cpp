@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
@@ -20,20 +21,21 @@ double default_gap_s(const std::vector<StampedPose>& samples) {
   return std::max(0.25, 5.0 * median_of(std::move(steps_s)));
 }
 
-constexpr double kHalfWindow_s = 0.1;  // twice the time from the stamp of a 10 Hz sweep to its ends
+// Half of a window is as long as a sweep: twice the time from its middle to its ends, where a parabola is bent least.
+constexpr double kShortWindow_s = 0.1, kLongWindow_s = 0.25;
 constexpr std::size_t kFewestInWindow = 11;
 
 // Weights of the least-squares parabola through values at some times: row 0 gives the value at time zero, row 1 the
 // slope, row 2 half the curvature.
-Eigen::Matrix3Xd parabola_weights(const std::vector<double>& times_s) {
+Eigen::Matrix3Xd parabola_weights(const std::vector<double>& times_s, double half_window_s) {
   Eigen::Matrix3Xd powers(3, static_cast<Eigen::Index>(times_s.size()));
   for (std::size_t i = 0; i < times_s.size(); ++i)
-    powers.col(static_cast<Eigen::Index>(i)) << 1.0, times_s[i] / kHalfWindow_s,
-        times_s[i] * times_s[i] / (kHalfWindow_s * kHalfWindow_s);
+    powers.col(static_cast<Eigen::Index>(i)) << 1.0, times_s[i] / half_window_s,
+        times_s[i] * times_s[i] / (half_window_s * half_window_s);
   const Eigen::Matrix3d normal = powers * powers.transpose();
   Eigen::Matrix3Xd weights = normal.ldlt().solve(powers);
-  weights.row(1) /= kHalfWindow_s;
-  weights.row(2) /= kHalfWindow_s * kHalfWindow_s;
+  weights.row(1) /= half_window_s;
+  weights.row(2) /= half_window_s * half_window_s;
   return weights;
 }
 
@@ -62,12 +64,21 @@ struct MotionTrack::Window {
 };
 
 MotionTrack::MotionTrack(const std::vector<StampedPose>& world_from_body, double max_gap_s,
-                         const std::vector<std::int64_t>& fix_stamps_ns) {
+                         const std::vector<std::int64_t>& fix_stamps_ns, double sweep_s) {
   samples_.reserve(world_from_body.size());
   for (const StampedPose& sample : world_from_body)
     if (samples_.empty() || sample.stamp_ns > samples_.back().stamp_ns) samples_.push_back(sample);
   max_gap_s_ = max_gap_s > 0.0 ? max_gap_s : default_gap_s(samples_);
+  half_window_s_ = std::clamp(sweep_s, kShortWindow_s, kLongWindow_s);
   choose_smoothing();
+  if (half_window_s_ > kShortWindow_s && !(position_.on && attitude_.on)) {
+    const Smoothing position = position_, attitude = attitude_;
+    const double long_window_s = std::exchange(half_window_s_, kShortWindow_s);
+    choose_smoothing();
+    // The motion is no parabola for so long, or there is no noise.
+    if (position_.on == position.on && attitude_.on == attitude.on)
+      position_ = position, attitude_ = attitude, half_window_s_ = long_window_s;
+  }
   if (!fix_stamps_ns.empty()) position_ = {};  // what was interpolated has no noise
   attitude_spacing_ = spacing_of_attitudes(samples_);
   position_spacing_ = spacing_of_positions(fix_stamps_ns.empty() ? samples_ : samples_at(samples_, fix_stamps_ns));
@@ -94,11 +105,11 @@ MotionTrack::Window MotionTrack::window(std::int64_t stamp_ns) const {
   const auto joined = [&](std::size_t left) {
     return seconds_between(samples_[left], samples_[left + 1]) <= max_gap_s_;
   };
-  constexpr double kEdge_s = kHalfWindow_s + 1e-6;
+  const double edge_s = half_window_s_ + 1e-6;
   Window out;
   std::size_t first = here, last = here;  // [first, last)
-  while (last < samples_.size() && from(last) <= kEdge_s && (last == here || joined(last - 1))) ++last;
-  while (first > 0 && from(first - 1) >= -kEdge_s && (first == samples_.size() || joined(first - 1))) --first;
+  while (last < samples_.size() && from(last) <= edge_s && (last == here || joined(last - 1))) ++last;
+  while (first > 0 && from(first - 1) >= -edge_s && (first == samples_.size() || joined(first - 1))) --first;
   out.first = first;
   out.count = last - first;
   for (std::size_t i = first; i < last; ++i) out.times_s.push_back(from(i));
@@ -116,7 +127,7 @@ std::optional<MotionTrack::Roughness> MotionTrack::roughness(std::size_t sample)
   const Window around = window(samples_[sample].stamp_ns);
   if (around.first + 2 > sample || around.first + around.count < sample + 2 || around.count < kFewestInWindow)
     return std::nullopt;
-  const Eigen::Matrix3Xd weights = parabola_weights(around.times_s);
+  const Eigen::Matrix3Xd weights = parabola_weights(around.times_s, half_window_s_);
   const Eigen::Matrix3d back = samples_[sample].pose.linear().transpose();
   Eigen::Matrix3Xd values[2];
   for (Eigen::Matrix3Xd& v : values) v.resize(3, static_cast<Eigen::Index>(around.count));
@@ -161,6 +172,7 @@ void MotionTrack::choose_smoothing() {
     }
     weights2 += here->weights2;
   }
+  position_ = attitude_ = {};
   if (noise2[0].size() < kFewest) return;
   Smoothing* kinds[2] = {&position_, &attitude_};
   for (int kind = 0; kind < 2; ++kind) {
@@ -178,12 +190,14 @@ std::optional<Passage> MotionTrack::around(std::int64_t stamp_ns, double middle_
   passage.track_ = this;
   passage.stamp_ns_ = stamp_ns;
   if (!position_.on && !attitude_.on) return passage;
+  middle_s = std::clamp(middle_s, -half_window_s_, half_window_s_);  // the stamp's own pose is of the fit
   const std::int64_t middle_ns = stamp_ns + std::llround(1e9 * middle_s);
   const std::optional<RigidTransform> middle = at(middle_ns);
   const Window samples = window(middle ? middle_ns : stamp_ns);
   if (samples.count < kFewestInWindow / 2) return passage;
-  const Eigen::Matrix3Xd weights = parabola_weights(samples.times_s);
+  const Eigen::Matrix3Xd weights = parabola_weights(samples.times_s, half_window_s_);
   passage.middle_s_ = middle ? middle_s : 0.0;
+  passage.half_window_s_ = half_window_s_;
   passage.turned_from_ = middle ? middle->linear() : here->linear();
   Eigen::Matrix3d position = Eigen::Matrix3d::Zero(), turn = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < samples.count; ++k) {
@@ -208,7 +222,7 @@ RigidTransform Passage::fitted(double time_s, const RigidTransform& interpolated
 
 std::optional<RigidTransform> Passage::at(double time_s) const {
   const auto interpolated = [&](double t_s) { return track_->at(stamp_ns_ + std::llround(t_s * 1e9)); };
-  const double inside_s = std::clamp(time_s, middle_s_ - kHalfWindow_s, middle_s_ + kHalfWindow_s);
+  const double inside_s = std::clamp(time_s, middle_s_ - half_window_s_, middle_s_ + half_window_s_);
   std::optional<RigidTransform> base = interpolated(inside_s);
   // The fit goes on where the data end or pause within its window.
   if (!base && position_ && turn_) base = RigidTransform::Identity();

@@ -24,7 +24,7 @@ class Passage {
   using Parabola = Eigen::Matrix3d;  // columns: value, slope, half the curvature
   const class MotionTrack* track_ = nullptr;
   std::int64_t stamp_ns_ = 0;
-  double middle_s_ = 0.0;                    ///< of the parabolas, from the stamp
+  double middle_s_ = 0.0, half_window_s_ = 0.0;  ///< of the parabolas, from the stamp
   std::optional<Parabola> position_, turn_;  // nothing: interpolated
   Eigen::Matrix3d turned_from_ = Eigen::Matrix3d::Identity();
 };
@@ -42,8 +42,8 @@ struct BetweenSamples {
 /// Logs whose samples carry independent noise would shake the points of a scan with it: worse, the noise of the pose at
 /// the scan's stamp would enter the motion of the INS and, through the compensation of the scan, the motion of the
 /// LiDAR alike, where it passes for excitation. Such noise is told from motion by third differences, and then `around`
-/// fits a parabola to 0.1 s on either side of its middle. Filtered logs, whose samples differ by true motion, are left
-/// as they are.
+/// fits a parabola to as much on either side of a scan's middle as the scan takes, 0.1 to 0.25 s. Filtered logs, whose
+/// samples differ by true motion, are left as they are.
 class MotionTrack {
  public:
   MotionTrack() = default;
@@ -52,8 +52,9 @@ class MotionTrack {
   ///        at least 0.25 s
   /// @param fix_stamps_ns of the samples whose positions were measured, ascending, where those of the others were
   ///        interpolated between them; empty: all were
+  /// @param sweep_s how long the scans take whose motion will be asked for
   explicit MotionTrack(const std::vector<StampedPose>& world_from_body, double max_gap_s = 0.0,
-                       const std::vector<std::int64_t>& fix_stamps_ns = {});
+                       const std::vector<std::int64_t>& fix_stamps_ns = {}, double sweep_s = 0.0);
 
   /// world_from_body at a time, interpolated; nothing outside the data or in a gap.
   std::optional<RigidTransform> at(std::int64_t stamp_ns) const;
@@ -61,7 +62,7 @@ class MotionTrack {
   /// The motion around a time, with sample noise averaged out where the log has any; nothing outside the data or in a
   /// gap.
   /// @param middle_s from the stamp, of the time that will be asked for: what is left of the noise is least about it,
-  /// and more than twice as much at 0.1 s from it
+  /// and twice as much at the edges of what is fitted
   std::optional<Passage> around(std::int64_t stamp_ns, double middle_s = 0.0) const&;
   std::optional<Passage> around(std::int64_t stamp_ns, double middle_s = 0.0) const&& = delete;
 
@@ -98,7 +99,7 @@ class MotionTrack {
 
   std::vector<StampedPose> samples_;
   SampleSpacing position_spacing_, attitude_spacing_;
-  double max_gap_s_ = 0.0;
+  double max_gap_s_ = 0.0, half_window_s_ = 0.0;
   Smoothing position_, attitude_;
 };
 

@@ -8,6 +8,7 @@
 #include "algorithms/calibration/pairwise/pairwise.h"
 #include "algorithms/motion/motion_track.h"
 #include "algorithms/motion/pair.h"
+#include "algorithms/motion/sweep.h"
 #include "model/conventions/attitude_rounding.h"
 #include "model/drive/session.h"
 
@@ -51,7 +52,7 @@ class DriveMotion {
   std::vector<std::shared_ptr<const drive::Session>> sessions_;
   std::vector<motion::MotionTrack> tracks_;
   std::vector<double> offsets_s_, position_lags_s_;
-  std::vector<double> middles_s_;  ///< of the scans from their stamps
+  std::vector<motion::Sweep> sweeps_;  ///< of the scans, where the INS has noise to be kept out of them
   std::vector<conventions::AttitudeRounding> roundings_;
 };
 

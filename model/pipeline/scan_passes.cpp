@@ -74,6 +74,7 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   if (progress.cancelled()) return;
   const calibration::CalibrationResult before = output.result;
   calibration::PairwiseInput solver = solver_input(input, motion, output);
+  solver.noise_before = details.noise;  // a pair that was aligned wrongly does not pass for what is expected of the INS
   calibration::PairwiseDetails of_joint;
   calibration::CalibrationResult joint = calibration::solve_pairwise(solver, relinearised, of_joint, progress);
   if (!calibration::is_solved(joint.status)) return;  // a good solution is not given up for a worse one

@@ -1,7 +1,6 @@
 #include "model/pipeline/scan_times.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
@@ -50,20 +49,22 @@ std::vector<float> scan_times(const drive::Session& session, const cloud::PointC
   return told_times(session, cloud, sweep_of(session, mode));
 }
 
-double middle_of_sweeps_s(const drive::Session& session) {
-  constexpr double kMost_s = 0.1;  // the stamp stays within what the motion about the middle is known of
-  const bool told = session.scan_timing == drive::ScanTiming::PerPoint || sweep_of(session, settings::DeskewMode::Auto);
-  if (!told || !session.scans || session.scans->size() == 0) return 0.0;
-  try {
-    const std::vector<float> times_s =
-        scan_times(session, session.scans->load(session.scans->size() / 2), settings::DeskewMode::Auto);
-    if (times_s.empty()) return 0.0;
-    const auto [begin_s, end_s] = std::ranges::minmax(times_s);
-    const double middle_s = 0.5 * (static_cast<double>(begin_s) + static_cast<double>(end_s));
-    return std::isfinite(middle_s) ? std::clamp(middle_s, -kMost_s, kMost_s) : 0.0;
-  } catch (const Error&) {
-    return 0.0;  // it is named where it is used
+motion::Sweep usual_sweep(const drive::Session& session, const std::optional<drive::SweepModel>& sweep) {
+  constexpr std::size_t kFew = 3;
+  motion::Sweep longest;
+  if (!session.scans || (session.scan_timing != drive::ScanTiming::PerPoint && !sweep)) return longest;
+  const std::size_t count = session.scans->size(), first = count / 2 - std::min(count / 2, kFew / 2);
+  for (std::size_t i = first; i < std::min(first + kFew, count); ++i) {
+    try {
+      const std::vector<float> times_s = told_times(session, session.scans->load(i), sweep);
+      if (times_s.empty()) continue;
+      const auto [begin_s, end_s] = std::ranges::minmax(times_s);
+      if (end_s - begin_s > longest.length_s()) longest = {begin_s, end_s};
+    } catch (const Error&) {
+      continue;  // it is named where it is used
+    }
   }
+  return longest;
 }
 
 bool tells_clock(const drive::Session& session, settings::DeskewMode mode) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/motion/sweep.h"
 #include "model/drive/session.h"
 #include "model/settings/settings.h"
 
@@ -22,9 +23,10 @@ std::optional<drive::SweepModel> sweep_of(const drive::Session& session, setting
 /// The same as the settings have it; empty where the scan is to be used as it is.
 std::vector<float> scan_times(const drive::Session& session, const cloud::PointCloud& cloud, settings::DeskewMode mode);
 
-/// When the middle of a session's scans was measured, from their stamps (s): of one scan amid the session, since its
-/// first may be the end of a turn. At most 0.1 s; 0 where their points tell no times, or it cannot be read.
-double middle_of_sweeps_s(const drive::Session& session);
+/// When the points of a session's scans were measured: the longest of a few amid the session, for its first may be the
+/// end of a turn. At once where nothing tells it, or none of them can be read.
+/// @param sweep as in told_times
+motion::Sweep usual_sweep(const drive::Session& session, const std::optional<drive::SweepModel>& sweep);
 
 /// Whether a clock offset may be told from the scans of a session, or its LiDAR poses: sweeps that are not compensated
 /// lie at another time on one side of the sensor than on the other, which looks like an offset.

@@ -160,7 +160,7 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
     problem = make_joint_problem(input, pairs, usable, prior_x, x);
     if (problem.terms.size() < kFewestPairs) break;
     details.noise = estimate_noise(problem, prior.expected, prior.log_spread, x,
-                                   round == 0 ? std::nullopt : std::optional(details.noise), progress);
+                                   round == 0 ? input.noise_before : std::optional(details.noise), progress);
     details.noise = with_declared_drift(details.noise, prior);
     details.joint = solve_joint(problem, details.noise, x, kJointIterations, progress);
     if (!details.joint.converged && !progress.cancelled())
@@ -281,8 +281,9 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
       robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, reference, near_m, progress, tilts_rad);
   RigidTransform prior_x = start.ins_from_lidar;
   prior_x.translation() = near_m;
-  judge_pairs(pairs, usable, start.ins_from_lidar, prior.expected.times(start.noise_scale),
-              input.options.outlier_threshold, tilts_rad);
+  judge_pairs(pairs, usable, start.ins_from_lidar,
+              input.noise_before.value_or(prior.expected.times(start.noise_scale)), input.options.outlier_threshold,
+              tilts_rad);
 
   const Context context{input, prior, prior_x, tilts_rad, progress};
   JointProblem problem = solve_and_judge(context, start.ins_from_lidar, usable, pairs, details);

@@ -31,8 +31,8 @@ double distance2(const std::vector<RigLidar>& lidars, const CrossPair& cross, co
   residual = equation.residual;
   Matrix6d information =
       noise_across(a.details.noise, b.details.noise).registration_information(pair.registration.information);
-  const Sweep of_a = sweep_of(a, a.input.nodes[pair.keyframe_a].session),
-              of_b = sweep_of(b, b.input.nodes[pair.keyframe_b].session);
+  const motion::Sweep of_a = sweep_of(a, a.input.nodes[pair.keyframe_a].session),
+                      of_b = sweep_of(b, b.input.nodes[pair.keyframe_b].session);
   const double b_after_a_s =
       1e-9 * static_cast<double>(b.keyframe_stamps_ns[pair.keyframe_b] - a.keyframe_stamps_ns[pair.keyframe_a]);
   if (!is_at_once(a, of_a, b, of_b, b_after_a_s)) {

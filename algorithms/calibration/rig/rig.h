@@ -9,16 +9,9 @@
 
 #include "algorithms/calibration/pairwise/pairwise.h"
 #include "algorithms/calibration/rig/relative_mounting.h"
+#include "algorithms/motion/sweep.h"
 
 namespace remount::calibration {
-
-/// When the points of a keyframe were measured, s from its stamp on, those of scans that were gathered to it included:
-/// their INS error is the mean of this time. Both zero: at once.
-struct Sweep {
-  double from_s = 0.0, until_s = 0.0;
-
-  double length_s() const { return until_s - from_s; }
-};
 
 /// A LiDAR with its own calibration.
 struct RigLidar {
@@ -30,8 +23,10 @@ struct RigLidar {
   /// Where each of its sessions stands among the recordings of the vehicle.
   std::vector<motion::SessionIndex> recordings;
   std::vector<std::int64_t> keyframe_stamps_ns;  ///< of each of `input.nodes`, on the clock of the INS
-  double at_once_s = 0.0;     ///< scans of two LiDARs that lie no further apart have the same INS error
-  std::vector<Sweep> sweeps;  ///< of its keyframes, a session each; at once of a session that is not there
+  double at_once_s = 0.0;  ///< scans of two LiDARs that lie no further apart have the same INS error
+  /// Of its keyframes, a session each: their INS error is the mean of this time. At once of a session that is not
+  /// there.
+  std::vector<motion::Sweep> sweeps;
 };
 
 /// Two scans of two LiDARs of one recording, `lidar_a` before `lidar_b` in the list of LiDARs.

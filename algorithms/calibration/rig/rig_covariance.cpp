@@ -225,12 +225,10 @@ std::optional<RigInformation> rig_information(const RigProblem& problem, const S
 
 namespace {
 
-// What is wrong alike in all that others see of a LiDAR. Within a LiDAR most of that cancels, but where its field is
-// narrow: across two, whose patterns are never the same, it is as large as there. Errors of its beams, beyond what the
-// unknowns of beams hold of them, are half of a range and of an angle as these are known after its own drive.
+// What errors of a LiDAR's beams do to its place as others see it, beyond what the unknowns of beams hold of them: half
+// of a range and of an angle as these are known after its own drive. Within a LiDAR most of them cancel.
 Matrix6d seen_by_others(const RigLidar& lidar) {
-  constexpr bool kNarrow = true;
-  Matrix6d covariance = registration_limits(kNarrow);
+  Matrix6d covariance = registration_limits(lidar.input.narrow_field);
   const cloud::BeamPrior& believed = lidar.input.beams;
   if (believed.empty()) return covariance;
   constexpr double kShare = 0.5;
@@ -298,19 +296,13 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
   // it.
   const Eigen::VectorXd drawn = (information.within + beside) * by_cross;
   covariance.moved = covariance.all * (weighs_all * (drawn - lost * drawn - own * by_cross) - beside * by_cross);
-  // The part that makes less certain. What lies between LiDARs would be the more certain by all that cancels there, but
-  // what their registrations do wrong does not, and nobody knows it as well as the noise of the INS.
-  const Eigen::VectorXd units = observation_limits(lidars.front().input.options).replicate(signed_of(lidars.size()), 1);
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(size, size),
                         weighs_across = Eigen::MatrixXd::Identity(size, size) - lost;
   for (const auto& [of, weighs, of_across] :
        {std::tuple{&covariance.within, &weighs_within, &none}, {&covariance.all, &weighs_all, &weighs_across}}) {
     const Eigen::MatrixXd by_information = *of, of_pairs = *weighs * own;
-    const Eigen::MatrixXd moved = by_information * *weighs * in_common(information, weighs_own, *of_across) *
-                                  weighs->transpose() * by_information;
-    *of += units.asDiagonal() *
-           positive_part(units.cwiseInverse().asDiagonal() * moved * units.cwiseInverse().asDiagonal()) *
-           units.asDiagonal();
+    *of += by_information * *weighs * in_common(information, weighs_own, *of_across) * weighs->transpose() *
+           by_information;
     add_common(by_information, of_pairs, common, *of);
     add_common(by_information, of_pairs + beside, doubts, *of);
   }

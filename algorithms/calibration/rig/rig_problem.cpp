@@ -100,10 +100,10 @@ void settle_noise(const NoiseModel& noise, JointProblem& problem) {
 namespace {
 
 // In the order of time; those of several LiDARs that were taken at once follow each other. Gives the sweep of each.
-std::vector<Sweep> place_nodes(const std::vector<RigLidar>& lidars, const std::vector<JointProblem>& own,
-                               RigProblem& rig) {
+std::vector<motion::Sweep> place_nodes(const std::vector<RigLidar>& lidars, const std::vector<JointProblem>& own,
+                                       RigProblem& rig) {
   const std::vector<Placed> placed = placed_keyframes(lidars);
-  std::vector<Sweep> sweeps;
+  std::vector<motion::Sweep> sweeps;
   const Placed* first_at_once = nullptr;
   for (const Placed& here : placed) {
     JointNode node = own[here.lidar].nodes[here.keyframe];
@@ -124,9 +124,10 @@ std::vector<Sweep> place_nodes(const std::vector<RigLidar>& lidars, const std::v
   return sweeps;
 }
 
-std::vector<OverlappingSweeps> find_overlaps(const JointProblem& problem, const std::vector<Sweep>& sweeps) {
+std::vector<OverlappingSweeps> find_overlaps(const JointProblem& problem, const std::vector<motion::Sweep>& sweeps) {
   double longest_s = 0.0;
-  for (const Sweep& sweep : sweeps) longest_s = std::max({longest_s, std::abs(sweep.from_s), std::abs(sweep.until_s)});
+  for (const motion::Sweep& sweep : sweeps)
+    longest_s = std::max({longest_s, std::abs(sweep.from_s), std::abs(sweep.until_s)});
   std::vector<OverlappingSweeps> overlaps;
   for (motion::KeyframeIndex a; a < problem.nodes.size(); ++a) {
     if (problem.nodes[a].at_once_with_before) continue;
@@ -144,20 +145,21 @@ std::vector<OverlappingSweeps> find_overlaps(const JointProblem& problem, const 
 
 }  // namespace
 
-double common_share(const Sweep& a, const Sweep& b, double b_after_a_s) {
+double common_share(const motion::Sweep& a, const motion::Sweep& b, double b_after_a_s) {
   const double overlap_s = std::min(a.until_s, b_after_a_s + b.until_s) - std::max(a.from_s, b_after_a_s + b.from_s);
   return overlap_s > 0.0 ? overlap_s / std::sqrt(a.length_s() * b.length_s()) : 0.0;
 }
 
-bool is_at_once(const RigLidar& a, const Sweep& of_a, const RigLidar& b, const Sweep& of_b, double b_after_a_s) {
+bool is_at_once(const RigLidar& a, const motion::Sweep& of_a, const RigLidar& b, const motion::Sweep& of_b,
+                double b_after_a_s) {
   constexpr double kOneSweep = 0.9;
   const bool both_at_once = !(of_a.length_s() > 0.0) && !(of_b.length_s() > 0.0);
   return std::abs(b_after_a_s) <= std::max(a.at_once_s, b.at_once_s) &&
          (both_at_once || common_share(of_a, of_b, b_after_a_s) >= kOneSweep);
 }
 
-Sweep sweep_of(const RigLidar& lidar, motion::SessionIndex session) {
-  return session < lidar.sweeps.size() ? lidar.sweeps[session] : Sweep();
+motion::Sweep sweep_of(const RigLidar& lidar, motion::SessionIndex session) {
+  return session < lidar.sweeps.size() ? lidar.sweeps[session] : motion::Sweep();
 }
 
 RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
@@ -181,7 +183,7 @@ RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vect
     take_worse(own.back().session_position_lag_sigma_s, lidar.recordings, rig.joint.session_position_lag_sigma_s);
   }
   rig.noise = common_noise(lidars, weights);
-  const std::vector<Sweep> sweeps = place_nodes(lidars, own, rig);
+  const std::vector<motion::Sweep> sweeps = place_nodes(lidars, own, rig);
   rig.overlaps = find_overlaps(rig.joint, sweeps);
   for (std::size_t l = 0; l < own.size(); ++l)
     for (JointTerm term : own[l].terms) {

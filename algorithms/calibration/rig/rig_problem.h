@@ -8,13 +8,14 @@ namespace remount::calibration {
 
 /// How much of the variance of the INS's white error two keyframes of LiDARs have in common; their sweeps seldom begin
 /// and end together. docs/maths/rig.md (G13)
-double common_share(const Sweep& a, const Sweep& b, double b_after_a_s);
+double common_share(const motion::Sweep& a, const motion::Sweep& b, double b_after_a_s);
 
 /// Whether they have all of it in common: stamps at once, and as good as one sweep.
-bool is_at_once(const RigLidar& a, const Sweep& of_a, const RigLidar& b, const Sweep& of_b, double b_after_a_s);
+bool is_at_once(const RigLidar& a, const motion::Sweep& of_a, const RigLidar& b, const motion::Sweep& of_b,
+                double b_after_a_s);
 
 /// Of a keyframe of that session.
-Sweep sweep_of(const RigLidar& lidar, motion::SessionIndex session);
+motion::Sweep sweep_of(const RigLidar& lidar, motion::SessionIndex session);
 
 /// Nodes of two LiDARs whose sweeps overlap; each stands for those that were taken at once with it.
 struct OverlappingSweeps {

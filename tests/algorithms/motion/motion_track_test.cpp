@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "algorithms/core/stamps.h"
+
 namespace remount::motion {
 namespace {
 
@@ -183,6 +185,32 @@ TEST(motion_around_a_time, knows_best_what_lies_about_the_middle_that_is_asked_f
   };
   const double about_stamp_rad = bend_rad(0.0), about_middle_rad = bend_rad(0.05);
   EXPECT_LT(about_middle_rad, 0.65 * about_stamp_rad) << about_stamp_rad;
+}
+
+// A LiDAR that turns five times a second: with a window as short as the sweep its ends are bent most.
+TEST(motion_around_a_time, averages_over_twice_as_long_as_a_slow_sweep_takes) {
+  constexpr double kAttitude_rad = 3.5e-4;
+  const auto samples = noisy_circle(100.0, 2000, 0.005, kAttitude_rad, 4);
+  const MotionTrack slow(samples, 0.0, {}, 0.2), usual(samples);
+  const auto end_rad = [](const MotionTrack& track) {
+    double sum = 0.0, count = 0.0;
+    for (double t = 0.5; t < 19.5; t += 0.1037, ++count)
+      sum += so3_log(on_circle(t + 0.2).linear().transpose() * track.around(nanoseconds(t), 0.1)->at(0.2)->linear())
+                 .squaredNorm();
+    return std::sqrt(sum / count);
+  };
+  EXPECT_LT(slow.attitude_noise_factor(), 0.8 * usual.attitude_noise_factor());
+  EXPECT_LT(end_rad(slow), 0.6 * end_rad(usual)) << end_rad(usual);
+}
+
+// A motion that is no parabola for that long is not smoothed for that long.
+TEST(motion_around_a_time, takes_the_short_window_where_the_long_one_would_lose_motion) {
+  std::vector<StampedPose> samples = noisy_circle(100.0, 2000, 0.005, 3.5e-4, 5);
+  for (StampedPose& sample : samples)
+    sample.pose.translation().z() += 0.04 * std::sin(14.0 * seconds(sample.stamp_ns - samples.front().stamp_ns));
+  const MotionTrack slow(samples, 0.0, {}, 0.25), usual(samples);
+  ASSERT_LT(usual.position_noise_factor(), 0.5);
+  EXPECT_EQ(slow.position_noise_factor(), usual.position_noise_factor());
 }
 
 TEST(motion_around_a_time, leaves_motion_without_noise_as_it_is) {

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 int mutations() {
   const char* text = std::getenv("REMOUNT_MUTATIONS");
-  return text ? std::max(1, std::atoi(text)) : 120;
+  return text ? std::max(1, std::atoi(text)) : 200;
 }
 
 /// The same on every platform, unlike std::hash.

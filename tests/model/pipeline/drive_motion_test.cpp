@@ -95,7 +95,7 @@ TEST(drive_motion, the_noise_is_least_in_the_middle_of_a_scan) {
   const auto session = driven_session(0.005, 3.5e-4);
   session->scans = std::make_shared<SweptScan>();
   session->scan_timing = drive::ScanTiming::PerPoint;
-  EXPECT_NEAR(middle_of_sweeps_s(*session), 0.05, 1e-6);
+  EXPECT_NEAR(usual_sweep(*session, std::nullopt).middle_s(), 0.05, 1e-6);
   const DriveMotion motion({session});
   double sum = 0.0, about_stamps = 0.0;
   for (double t = 0.5; t < 19.5; t += 0.0731) {

@@ -206,12 +206,11 @@ inline CalibratedDrive calibrated(const SimulatedDrive& drive, const std::string
 
 /// On a ramp, with the nominal known; error_of prints what is measured. Packets of every make give a short drive with
 /// few beams back to 0.015 degrees and 2 mm in x and y. The limits leave room for other drives, and are far below what
-/// directions or times do that are read wrongly. NMEA states no errors of attitudes: each axis is open to 0.05 degrees,
-/// and X may lie anywhere there (0.12 degrees, 1.9 sigma, where such a drive is taken to drift).
+/// directions or times do that are read wrongly.
 inline void expect_calibrated_on_ramp(SimulationOptions options, const std::string& format) {
   options.scenario = ScenarioKind::ParkingRamp;
   const CalibratedDrive found = calibrated(simulate_drive(options), format, by_pairs, options.ins_from_lidar);
-  EXPECT_LT(found.error.rotation_deg, 0.2);
+  EXPECT_LT(found.error.rotation_deg, 0.1);
   EXPECT_LT(std::hypot(found.error.x_m, found.error.y_m), 0.05);
 }
 

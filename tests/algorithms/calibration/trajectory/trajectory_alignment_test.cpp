@@ -101,8 +101,7 @@ TEST(trajectory_alignment, positions_alone_give_the_lever_arm_and_say_so) {
                 result.known[Parameter::Z].observed)
         << english(result.message);
     const Eigen::Vector3d error = result.mounting.reference_from_sensor.translation() + drive.antenna_in_lidar;
-    const Eigen::Matrix3d covariance = result.covariance.topLeftCorner<3, 3>();
-    chi2 += testing::squared_over_sigma(error, covariance) / 3.0;
+    chi2 += testing::squared_over_sigma(error, result.covariance.topLeftCorner<3, 3>()) / 3.0;
     ASSERT_EQ(outcome.answer.quantities.front().id, "lever arm x");
     EXPECT_NEAR(outcome.answer.quantities.front().value, drive.antenna_in_lidar.x(), 0.1);
     if (seed == 1) {

@@ -10,12 +10,11 @@
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/named_quantity.h"
+#include "tests/algorithms/support/size_of_error.h"
 #include "tests/algorithms/support/wheel_drive.h"
 
 namespace remount::calibration {
-
 using testing::WheelDriveOptions;
-
 namespace {
 
 VehicleFrameResult solve(const WheelDriveOptions& drive, int seed, const VehicleFrameOptions& options = {},
@@ -244,7 +243,7 @@ TEST(vehicle_frame, errors_are_as_large_as_the_covariance_says) {
         found.pitch_rad - exact.pitch_rad, found.roll_rad - exact.roll_rad;
     ASSERT_EQ(result.calibration.status, Status::Ok);
     for (int i = 0; i < 6; ++i) chi2[i] += error[i] * error[i] / result.calibration.covariance(i, i);
-    chi2[6] += error.dot(inverse_by_lu(result.calibration.covariance) * error);
+    chi2[6] += testing::squared_over_sigma(error, result.calibration.covariance);
   }
   for (int i = 0; i < 6; ++i)
     std::printf("  %s: chi2 / n = %.2f\n", to_string(kParameters[i]).data(), chi2[i] / kSeeds);
