@@ -25,7 +25,7 @@ class Passage {
   const class MotionTrack* track_ = nullptr;
   std::int64_t stamp_ns_ = 0;
   double middle_s_ = 0.0, half_window_s_ = 0.0;  ///< of the parabolas, from the stamp
-  std::optional<Parabola> position_, turn_;  // nothing: interpolated
+  std::optional<Parabola> position_, turn_;      // nothing: interpolated
   Eigen::Matrix3d turned_from_ = Eigen::Matrix3d::Identity();
 };
 

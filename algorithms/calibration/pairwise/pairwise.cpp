@@ -281,9 +281,8 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
       robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, reference, near_m, progress, tilts_rad);
   RigidTransform prior_x = start.ins_from_lidar;
   prior_x.translation() = near_m;
-  judge_pairs(pairs, usable, start.ins_from_lidar,
-              input.noise_before.value_or(prior.expected.times(start.noise_scale)), input.options.outlier_threshold,
-              tilts_rad);
+  judge_pairs(pairs, usable, start.ins_from_lidar, input.noise_before.value_or(prior.expected.times(start.noise_scale)),
+              input.options.outlier_threshold, tilts_rad);
 
   const Context context{input, prior, prior_x, tilts_rad, progress};
   JointProblem problem = solve_and_judge(context, start.ins_from_lidar, usable, pairs, details);

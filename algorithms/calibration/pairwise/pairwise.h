@@ -53,8 +53,8 @@ struct PairwiseInput {
   std::optional<Vector6d> clock_bias;
   cloud::BeamPrior beams;          ///< what is believed of the errors of the LiDAR's beams
   cloud::BeamErrors mended_beams;  ///< of these, what is taken out of the scans already
-  /// What the noise turned out to be with earlier registrations of the same pairs; where there are none, pairs are first
-  /// judged by what is expected.
+  /// What the noise turned out to be with earlier registrations of the same pairs; where there are none, pairs are
+  /// first judged by what is expected.
   std::optional<NoiseModel> noise_before;
   /// By how much the errors of X are larger than what the pairs' own say: scans were made through former X.
   double sigma_factor = 1.0;
