@@ -75,7 +75,7 @@ MotionTrack::MotionTrack(const std::vector<StampedPose>& world_from_body, double
     const Smoothing position = position_, attitude = attitude_;
     const double long_window_s = std::exchange(half_window_s_, kShortWindow_s);
     choose_smoothing();
-    // The motion is no parabola for so long, or there is no noise.
+    // What the short window smooths and the long one does not is no parabola for so long.
     if (position_.on == position.on && attitude_.on == attitude.on)
       position_ = position, attitude_ = attitude, half_window_s_ = long_window_s;
   }

@@ -68,6 +68,9 @@ class MotionTrack {
 
   /// Whether the samples carry noise that `around` averages out, in their positions or attitudes.
   bool smooths() const { return position_.on || attitude_.on; }
+  /// For how long the noise of the middle of `around(t)` stays much the same, s: of two middles that lie half of it
+  /// apart half of the variance is common, of two that lie all of it apart nothing. 0 where the log is not smoothed.
+  double averaged_s() const { return smooths() ? half_window_s_ : 0.0; }
   /// How much of the samples' white noise is left in the middle of `around(t)`: 1 where the log is not smoothed. Next
   /// to the ends of the data and to gaps up to three times as much is left.
   double position_noise_factor() const { return position_.noise_factor; }

@@ -3,7 +3,7 @@
 
 namespace remount::motion {
 
-/// From its stamp on, s. Of a keyframe with the scans that were gathered to it. Both zero: at once.
+/// From its stamp on, s. Both zero: at once.
 struct Sweep {
   double from_s = 0.0, until_s = 0.0;
 

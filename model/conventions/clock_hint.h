@@ -20,7 +20,7 @@ Message time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins);
 /// empty where it is not.
 Message leap_second_hint(double difference_s, double slack_s);
 
-/// Which of two clocks counts from when it was switched on; empty where both do, or neither.
+/// Tells which of two clocks counts from when it was switched on; empty where both do, or neither.
 Message power_on_of(std::int64_t lidar_stamp_ns, std::int64_t other_stamp_ns);
 
 /// Why a clock is known to be `apart_s` from the LiDAR's (time zone, leap seconds, since power-on), by which the first

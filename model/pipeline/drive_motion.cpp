@@ -42,25 +42,22 @@ std::vector<std::int64_t> nearest_stamps_ns(const std::vector<motion::StampedPos
 
 }  // namespace
 
-DriveMotion::DriveMotion(std::vector<std::shared_ptr<const drive::Session>> sessions)
-    : sessions_(conventions::possible_sessions(std::move(sessions))) {
+DriveMotion::DriveMotion(std::vector<std::shared_ptr<const drive::Session>> sessions, std::vector<motion::Sweep> swept)
+    : sessions_(conventions::possible_sessions(std::move(sessions))), swept_(std::move(swept)) {
+  swept_.resize(sessions_.size());
   for (const auto& session : sessions_) {
-    tracks_.push_back(recorded_track(*session, 0.0));
+    tracks_.push_back(recorded_track(*session, swept_[tracks_.size()].length_s()));
     if (tracks_.back().empty())
       throw Error(ErrorCode::Unsupported, session->path.string(), say::pipeline_no_ins_poses());
     offsets_s_.push_back(0.0);
     position_lags_s_.push_back(0.0);
     roundings_.push_back(conventions::attitude_rounding(session->ins));
-    sweeps_.emplace_back();
-    if (!tracks_.back().smooths()) continue;
-    sweeps_.back() = usual_sweep(*session, sweep_of(*session, settings::DeskewMode::Auto));
-    tracks_.back() = recorded_track(*session, sweeps_.back().length_s());
   }
 }
 
 void DriveMotion::set_position_lag_s(motion::SessionIndex index, double lag_s) {
   if (lag_s == position_lags_s_[index]) return;
-  const motion::MotionTrack recorded = recorded_track(session(index), sweeps_[index].length_s());
+  const motion::MotionTrack recorded = recorded_track(session(index), swept_[index].length_s());
   const auto lag_ns = static_cast<std::int64_t>(std::llround(lag_s * 1e9));
   std::vector<motion::StampedPose> of_one_moment;
   for (const motion::StampedPose& sample : recorded.samples()) {
@@ -72,7 +69,7 @@ void DriveMotion::set_position_lag_s(motion::SessionIndex index, double lag_s) {
   if (of_one_moment.size() < 2) return;  // no drive is so short that a lag could be told from it
   const std::vector<std::int64_t> fixes_ns =
       nearest_stamps_ns(of_one_moment, session(index).ins_fix_stamps_ns, -lag_ns);
-  tracks_[index] = motion::MotionTrack(of_one_moment, recorded.max_gap_s(), fixes_ns, sweeps_[index].length_s());
+  tracks_[index] = motion::MotionTrack(of_one_moment, recorded.max_gap_s(), fixes_ns, swept_[index].length_s());
   position_lags_s_[index] = lag_s;
 }
 
@@ -93,7 +90,7 @@ std::optional<RigidTransform> DriveMotion::local_from_ins(motion::SessionIndex i
 }
 
 std::optional<motion::Passage> DriveMotion::passage(motion::SessionIndex index, std::int64_t lidar_stamp_ns) const {
-  return track(index).around(lidar_stamp_ns + std::llround(offset_s(index) * 1e9), sweeps_[index].middle_s());
+  return track(index).around(lidar_stamp_ns + std::llround(offset_s(index) * 1e9), swept_[index].middle_s());
 }
 
 std::vector<calibration::JointNode> DriveMotion::nodes(const std::vector<motion::Keyframe>& keyframes) const {
@@ -104,10 +101,10 @@ std::vector<calibration::JointNode> DriveMotion::nodes(const std::vector<motion:
     node.time_s = seconds(keyframe.stamp_ns - track(keyframe.session).samples().front().stamp_ns);
     const auto shift_ns = static_cast<std::int64_t>(std::llround(offset_s(keyframe.session) * 1e9));
     if (const auto shifted =
-            track(keyframe.session).around(keyframe.stamp_ns + shift_ns, sweeps_[keyframe.session].middle_s()))
+            track(keyframe.session).around(keyframe.stamp_ns + shift_ns, swept_[keyframe.session].middle_s()))
       node.local_from_ins = shifted->pose();
     else if (const auto unshifted =
-                 track(keyframe.session).around(keyframe.stamp_ns, sweeps_[keyframe.session].middle_s()))
+                 track(keyframe.session).around(keyframe.stamp_ns, swept_[keyframe.session].middle_s()))
       node.local_from_ins = unshifted->pose();
     if (const auto velocity = track(keyframe.session).body_velocity(keyframe.stamp_ns + shift_ns))
       node.body_velocity = *velocity;

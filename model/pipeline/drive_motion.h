@@ -19,7 +19,9 @@ class DriveMotion {
  public:
   /// Impossible positions are left out (model/conventions/impossible_motion.h). Throws Error(Unsupported) where a
   /// session has no INS motion at all, Error(Format) where none of it is possible.
-  explicit DriveMotion(std::vector<std::shared_ptr<const drive::Session>> sessions);
+  /// @param swept when the points of a scan of each session were measured; of those left out: at their stamps
+  explicit DriveMotion(std::vector<std::shared_ptr<const drive::Session>> sessions,
+                       std::vector<motion::Sweep> swept = {});
 
   const drive::Session& session(motion::SessionIndex index) const { return *sessions_[index]; }
   std::size_t session_count() const { return sessions_.size(); }
@@ -52,7 +54,7 @@ class DriveMotion {
   std::vector<std::shared_ptr<const drive::Session>> sessions_;
   std::vector<motion::MotionTrack> tracks_;
   std::vector<double> offsets_s_, position_lags_s_;
-  std::vector<motion::Sweep> sweeps_;  ///< of the scans, where the INS has noise to be kept out of them
+  std::vector<motion::Sweep> swept_;  ///< by a scan of each session
   std::vector<conventions::AttitudeRounding> roundings_;
 };
 

@@ -260,7 +260,7 @@ class OffsetSearch {
   calibration::CalibrationResult solve_with_bias(const Solved& found, Solved&& unmoved) {
     output_.clock_is_unknown = false;
     if (moved_ || use_ == calibration::ClockOffsetUse::Auto) {
-      unmoved.motion = DriveMotion(input_.sessions);
+      unmoved.motion = DriveMotion(input_.sessions, output_.session_swept);
       solve_at_present_offsets(input_, output_, unmoved, progress_);
     }
     // An attempt that left nothing usable still tells how far X may be off.

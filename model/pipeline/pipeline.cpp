@@ -172,8 +172,10 @@ void calibrate_poses(const PipelineInput& input, DriveMotion& motion, PipelineOu
 PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   // 1. What was read.
   check_input(input);
-  DriveMotion motion(input.sessions);
+  const std::vector<motion::Sweep> swept = swept_times(input.sessions, input.settings.run.deskew);
+  DriveMotion motion(input.sessions, swept);
   PipelineOutput output = output_of_readers(input, motion);
+  output.session_swept = swept;
 
   // 2. Pairs of keyframes that may share objects.
   output.session_frames = choose_gathering(motion, input.settings.keyframes, output.findings, progress);

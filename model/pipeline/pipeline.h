@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/motion/sweep.h"
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/pairwise/pairwise.h"
@@ -59,6 +60,8 @@ struct PairEvidence {
   std::vector<bool> session_uses_sweep;
   /// The sweeps by which they were, which may have been found from the scans; empty: the sessions' own.
   std::vector<drive::SweepModel> session_sweeps;
+  /// When the points of a scan of each session were measured, where its motion is compensated; empty: at their stamps.
+  std::vector<motion::Sweep> session_swept;
   /// How many scans around its stamp a keyframe of each session is made of; empty: one.
   std::vector<int> session_frames;
   /// How far X is off, under `perturb`, where the scans were swept otherwise than was taken: one of each way that

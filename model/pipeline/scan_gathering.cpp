@@ -8,9 +8,9 @@
 #include "algorithms/cloud/directions.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/index.h"
-#include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "messages/pipeline.h"
+#include "model/pipeline/scan_times.h"
 #include "model/results/deciding_notes.h"
 
 namespace remount::pipeline {
@@ -99,14 +99,6 @@ int frames_by_scans(const drive::Session& session, std::vector<drive::Finding>& 
 }
 
 }  // namespace
-
-double scan_period_s(const drive::ScanSource& scans) {
-  constexpr std::size_t kMany = 200;
-  std::vector<double> steps_s;
-  for (std::size_t i = 1; i < std::min(scans.size(), kMany); ++i)
-    steps_s.push_back(seconds(scans.stamp_ns(i) - scans.stamp_ns(i - 1)));
-  return steps_s.empty() ? 0.0 : median_of(std::move(steps_s));
-}
 
 std::vector<int> choose_gathering(const DriveMotion& motion, const motion::KeyframeOptions& options,
                                   std::vector<drive::Finding>& findings, const Progress& progress) {

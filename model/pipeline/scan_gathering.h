@@ -15,9 +15,6 @@ namespace remount::pipeline {
 std::vector<int> choose_gathering(const DriveMotion& motion, const motion::KeyframeOptions& options,
                                   std::vector<drive::Finding>& findings, const Progress& progress);
 
-/// Median step of the first scans' stamps; 0 of a single scan.
-double scan_period_s(const drive::ScanSource& scans);
-
 /// The scans that are gathered to a keyframe, its own first. Without those that a pause of the recording separates.
 std::vector<motion::ScanIndex> gathered_scans(const drive::ScanSource& scans, const motion::Keyframe& keyframe,
                                               motion::GatheredFrames frames);

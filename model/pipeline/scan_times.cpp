@@ -1,9 +1,12 @@
 #include "model/pipeline/scan_times.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 
 namespace remount::pipeline {
 
@@ -49,22 +52,54 @@ std::vector<float> scan_times(const drive::Session& session, const cloud::PointC
   return told_times(session, cloud, sweep_of(session, mode));
 }
 
-motion::Sweep usual_sweep(const drive::Session& session, const std::optional<drive::SweepModel>& sweep) {
+double scan_period_s(const drive::ScanSource& scans) {
+  constexpr std::size_t kMany = 200;
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < std::min(scans.size(), kMany); ++i)
+    steps_s.push_back(seconds(scans.stamp_ns(i) - scans.stamp_ns(i - 1)));
+  return steps_s.empty() ? 0.0 : median_of(std::move(steps_s));
+}
+
+namespace {
+
+motion::Sweep swept_by(const std::vector<float>& times_s) {
+  motion::Sweep swept;
+  bool any = false;
+  for (const float time_s : times_s) {
+    if (!std::isfinite(time_s)) continue;
+    const double here_s = static_cast<double>(time_s);
+    swept = any ? motion::Sweep{std::min(swept.from_s, here_s), std::max(swept.until_s, here_s)}
+                : motion::Sweep{here_s, here_s};
+    any = true;
+  }
+  return swept;
+}
+
+motion::Sweep usual_sweep(const drive::Session& session, settings::DeskewMode mode) {
   constexpr std::size_t kFew = 3;
   motion::Sweep longest;
-  if (!session.scans || (session.scan_timing != drive::ScanTiming::PerPoint && !sweep)) return longest;
+  const bool told = session.scan_timing == drive::ScanTiming::PerPoint || sweep_of(session, mode);
+  if (!told || !session.scans || mode == settings::DeskewMode::Off) return longest;
+  const double most_s = 2.0 * scan_period_s(*session.scans);
   const std::size_t count = session.scans->size(), first = count / 2 - std::min(count / 2, kFew / 2);
   for (std::size_t i = first; i < std::min(first + kFew, count); ++i) {
     try {
-      const std::vector<float> times_s = told_times(session, session.scans->load(i), sweep);
-      if (times_s.empty()) continue;
-      const auto [begin_s, end_s] = std::ranges::minmax(times_s);
-      if (end_s - begin_s > longest.length_s()) longest = {begin_s, end_s};
+      const motion::Sweep swept = swept_by(scan_times(session, session.scans->load(i), mode));
+      if (swept.length_s() > longest.length_s() && swept.length_s() < most_s) longest = swept;
     } catch (const Error&) {
       continue;  // it is named where it is used
     }
   }
   return longest;
+}
+
+}  // namespace
+
+std::vector<motion::Sweep> swept_times(const std::vector<std::shared_ptr<const drive::Session>>& sessions,
+                                       settings::DeskewMode mode) {
+  std::vector<motion::Sweep> swept;
+  for (const auto& session : sessions) swept.push_back(usual_sweep(*session, mode));
+  return swept;
 }
 
 bool tells_clock(const drive::Session& session, settings::DeskewMode mode) {

@@ -1,6 +1,7 @@
 // When the points of a scan were measured, as far as the session and the settings say.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,10 +24,14 @@ std::optional<drive::SweepModel> sweep_of(const drive::Session& session, setting
 /// The same as the settings have it; empty where the scan is to be used as it is.
 std::vector<float> scan_times(const drive::Session& session, const cloud::PointCloud& cloud, settings::DeskewMode mode);
 
-/// When the points of a session's scans were measured: the longest of a few amid the session, for its first may be the
-/// end of a turn. At once where nothing tells it, or none of them can be read.
-/// @param sweep as in told_times
-motion::Sweep usual_sweep(const drive::Session& session, const std::optional<drive::SweepModel>& sweep);
+/// Median step of the first scans' stamps; 0 of a single scan.
+double scan_period_s(const drive::ScanSource& scans);
+
+/// When the points of a scan of each session were measured: of a few amid the session the longest, for its first may be
+/// the end of a turn. At once where nothing tells it, none of them can be read, or what they tell is longer than two
+/// scans follow each other.
+std::vector<motion::Sweep> swept_times(const std::vector<std::shared_ptr<const drive::Session>>& sessions,
+                                       settings::DeskewMode mode);
 
 /// Whether a clock offset may be told from the scans of a session, or its LiDAR poses: sweeps that are not compensated
 /// lie at another time on one side of the sensor than on the other, which looks like an offset.

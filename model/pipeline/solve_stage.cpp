@@ -50,7 +50,7 @@ void judge_again(const Message& nothing_known, calibration::CalibrationResult& r
 }
 
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output) {
-  DriveMotion motion(input.sessions);
+  DriveMotion motion(input.sessions, output.session_swept);
   const bool known = output.result.session_time_offset_s.size() == input.sessions.size();
   for (motion::SessionIndex s; output.result.time_offset.applied && known && s < motion.session_count(); ++s)
     motion.set_offset_s(s, output.result.session_time_offset_s[s]);
@@ -131,7 +131,7 @@ calibration::CalibrationResult solve_with_clock_again(const PipelineInput& input
   const calibration::ClockOffsetUse use = input.settings.solve.apply_time_offset;
   const bool applied = output.result.time_offset.applied || output.result.position_lag_applied;
   if (!output.clock_told) {
-    DriveMotion motion(input.sessions);
+    DriveMotion motion(input.sessions, output.session_swept);
     if (applied) set_ins_motion(motion.nodes(output.keyframes), output.pairs);
     return solve_with_clock(input, motion, output, details, progress);
   }
@@ -142,7 +142,7 @@ calibration::CalibrationResult solve_with_clock_again(const PipelineInput& input
     keep_clock(output.result, result);
     return result;
   }
-  DriveMotion motion(input.sessions);
+  DriveMotion motion(input.sessions, output.session_swept);
   if (applied) {
     set_ins_motion(motion.nodes(output.keyframes), output.pairs);
     return solve_with_clock(input, motion, output, details, progress);

@@ -160,6 +160,8 @@ std::optional<PipelineOutput> without_session(const PipelineInput& input, const 
   take_out_advice(session, left.result.advice);
   take_out_findings(input.sessions, session, left.findings);
   take_out(session, left.session_uses_sweep);
+  take_out(session, left.session_sweeps);
+  take_out(session, left.session_swept);
   take_out(session, left.session_frames);
   return left;
 }

@@ -161,6 +161,16 @@ void describe(formats::RecordOf<ObservedGround> auto& ground, auto& fields) {
 
 }  // namespace remount::calibration
 
+namespace remount::motion {
+
+void describe(formats::RecordOf<Sweep> auto& sweep, auto& fields) {
+  fields("from_s", sweep.from_s, formats::Finite());
+  fields("until_s", sweep.until_s, formats::Finite());
+  fields.require(sweep.until_s >= sweep.from_s, "until_s", say::project_expected_until_after_from);
+}
+
+}  // namespace remount::motion
+
 namespace remount::drive {
 
 void describe(formats::RecordOf<SweepModel> auto& sweep, auto& fields) {
@@ -214,6 +224,7 @@ constexpr formats::MapOf kCalibration{[](auto& project, auto& fields) {
   fields.optional("ground", output.ground);
   fields.later("session_uses_sweep", output.session_uses_sweep);
   fields.later("session_sweeps", output.session_sweeps);
+  fields.later("session_swept", output.session_swept);
   fields.later("session_frames", output.session_frames);
   fields.where(!output.clock_told, "clock_told", output.clock_told);
   fields.where(output.clock_is_unknown, "clock_is_unknown", output.clock_is_unknown);

@@ -71,7 +71,7 @@ calibration::RigLidar rig_lidar(const CalibratedLidar& lidar) {
   for (const motion::Keyframe& keyframe : lidar.output.keyframes)
     out.keyframe_stamps_ns.push_back(lidar.ins_stamp_ns(keyframe));
   for (const auto& session : lidar.job.input.sessions) out.at_once_s = std::max(out.at_once_s, at_once_s(*session));
-  out.sweeps = swept_times(lidar.job.input, lidar.output);
+  out.sweeps = averaged_times(lidar.motion, lidar.output);
   return out;
 }
 

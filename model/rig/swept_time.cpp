@@ -2,35 +2,30 @@
 
 #include <algorithm>
 
-#include "model/pipeline/scan_gathering.h"
 #include "model/pipeline/scan_times.h"
 
 namespace remount::rig {
-namespace {
 
-std::optional<drive::SweepModel> sweep_in_use(const drive::Session& session, const pipeline::PipelineOutput& output,
-                                              motion::SessionIndex place) {
-  if (place >= output.session_uses_sweep.size() || !output.session_uses_sweep[place]) return {};
-  return place < output.session_sweeps.size() ? output.session_sweeps[place] : session.sweep;
+motion::Sweep averaged_time(const motion::Sweep& swept, double fitted_s) {
+  constexpr double kOfBoth = 0.2;  // tests/model/rig/averaged_noise_test.cpp measures it
+  const double half_s = 0.5 * (std::max(swept.length_s(), fitted_s) + kOfBoth * std::min(swept.length_s(), fitted_s));
+  return {swept.middle_s() - half_s, swept.middle_s() + half_s};
 }
 
-}  // namespace
-
-std::vector<motion::Sweep> swept_times(const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output) {
-  std::vector<motion::Sweep> sweeps(input.sessions.size());
-  for (motion::SessionIndex s; s < sweeps.size(); ++s) {
-    const drive::Session& session = *input.sessions[s];
-    if (!session.scans || session.scans->size() == 0) continue;
-    motion::Sweep& swept = sweeps[s];
-    if (input.settings.run.deskew != settings::DeskewMode::Off)
-      swept = pipeline::usual_sweep(session, sweep_in_use(session, output, s));
+std::vector<motion::Sweep> averaged_times(const pipeline::DriveMotion& motion, const pipeline::PipelineOutput& output) {
+  std::vector<motion::Sweep> averaged(motion.session_count());
+  for (motion::SessionIndex s; s < averaged.size(); ++s) {
+    motion::Sweep& time = averaged[s];
+    if (s < output.session_swept.size()) time = output.session_swept[s];
     const motion::GatheredFrames frames{
         s < output.session_frames.size() ? static_cast<std::size_t>(std::max(output.session_frames[s], 1)) : 1};
-    const double period_s = frames.count > 1 ? pipeline::scan_period_s(*session.scans) : 0.0;
-    swept.from_s -= period_s * static_cast<double>(frames.before());
-    swept.until_s += period_s * static_cast<double>(frames.after());
+    const drive::ScanSource* scans = motion.session(s).scans.get();
+    const double period_s = scans && frames.count > 1 ? pipeline::scan_period_s(*scans) : 0.0;
+    time.from_s -= period_s * static_cast<double>(frames.before());
+    time.until_s += period_s * static_cast<double>(frames.after());
+    time = averaged_time(time, motion.track(s).averaged_s());
   }
-  return sweeps;
+  return averaged;
 }
 
 }  // namespace remount::rig

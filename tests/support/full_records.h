@@ -158,6 +158,7 @@ inline pipeline::PipelineOutput full_output() {
   output.up_in_lidar = Eigen::Vector3d(0.0, 0.6, 0.8);
   output.session_uses_sweep = {true, false};
   output.session_sweeps = {{0.05, 0.5, false, true, true, true, {}}};
+  output.session_swept = {{-0.02, 0.03}};
   output.session_frames = {1, 5};
   output.sweep_doubts = {Vector6d::Constant(0.01), Vector6d::Constant(0.02)};
   output.clock_told = false;

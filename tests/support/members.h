@@ -76,10 +76,11 @@ REMOUNT_MEMBERS(results::LidarResult, name, joined, file)
 REMOUNT_MEMBERS(results::RelativeRecord, lidar_a, lidar_b, lidar_a_from_lidar_b, sigma, height_m, height_sigma_m)
 REMOUNT_MEMBERS(results::AgreementRecord, lidar_a, lidar_b, difference, sigma, most_sigmas)
 REMOUNT_MEMBERS(results::VehicleFile, lidars, relatives, agreements, groups, findings, version)
+REMOUNT_MEMBERS(motion::Sweep, from_s, until_s)
 REMOUNT_MEMBERS(drive::SweepModel, period_s, stamp_azimuth_rad, clockwise, certain, direction_known, by_order, by_times)
 REMOUNT_MEMBERS(calibration::ObservedGround, up_in_lidar, lidar_height_m, height_sigma_m, up_sigma_rad)
 REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_uses_sweep, session_sweeps,
-                session_frames, sweep_doubts, clock_told, farthest_clock_s, ground)
+                session_swept, session_frames, sweep_doubts, clock_told, farthest_clock_s, ground)
 REMOUNT_MEMBERS(pipeline::CalibrationOutcome, method, result, clock_is_unknown, clock_bias, quantities, plots,
                 sharpness, map_check)
 REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, beam_nodes,

@@ -38,12 +38,14 @@ double distance2(const std::vector<RigLidar>& lidars, const CrossPair& cross, co
   if (!is_at_once(a, of_a, b, of_b, b_after_a_s)) {
     const Matrix6d of_ins = problem.noise.ins_covariance();
     const Matrix6d at_a = of_ins + a.input.nodes[pair.keyframe_a].between_samples_covariance;
-    const Matrix6d at_b =
-        of_ins + b.input.nodes[pair.keyframe_b].between_samples_covariance + problem.noise.drift_covariance(pair.gap_s);
-    const Matrix6d in_common =
-        equation.d_a * (common_share(of_a, of_b, b_after_a_s) * of_ins) * equation.d_b.transpose();
-    const Matrix6d by_ins = equation.d_a * at_a * equation.d_a.transpose() +
-                            equation.d_b * at_b * equation.d_b.transpose() + in_common + in_common.transpose();
+    const Matrix6d at_b = of_ins + b.input.nodes[pair.keyframe_b].between_samples_covariance;
+    const Matrix6d in_common = equation.d_a *
+                               common_variance(common_share(of_a, of_b, b_after_a_s), at_a, at_b).asDiagonal() *
+                               equation.d_b.transpose();
+    const Matrix6d by_ins =
+        equation.d_a * at_a * equation.d_a.transpose() +
+        equation.d_b * (at_b + problem.noise.drift_covariance(pair.gap_s)) * equation.d_b.transpose() + in_common +
+        in_common.transpose();
     const Matrix6d sum = symmetric_inverse(by_ins) + information;
     information -= (information * symmetric_solution(sum, information)).eval();
   }

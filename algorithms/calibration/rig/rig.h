@@ -24,8 +24,8 @@ struct RigLidar {
   std::vector<motion::SessionIndex> recordings;
   std::vector<std::int64_t> keyframe_stamps_ns;  ///< of each of `input.nodes`, on the clock of the INS
   double at_once_s = 0.0;  ///< scans of two LiDARs that lie no further apart have the same INS error
-  /// Of its keyframes, a session each: their INS error is the mean of this time. At once of a session that is not
-  /// there.
+  /// Of its keyframes, a session each: their INS error is the mean of this time. Sessions that are left out were
+  /// measured at their stamps.
   std::vector<motion::Sweep> sweeps;
 };
 

@@ -44,14 +44,12 @@ Eigen::MatrixXd pull_of(const JointProblem& problem, const NoiseModel& noise, co
   return pull;
 }
 
-// Of the INS's white error, as far as both have it.
-Vector6d common_variance(const JointProblem& problem, const NoiseModel& noise, const OverlappingSweeps& two) {
+Vector6d variance_in_common(const JointProblem& problem, const NoiseModel& noise, const OverlappingSweeps& two) {
   const auto of_ins = [&](motion::KeyframeIndex node) {
-    return Vector6d((node_covariance(problem, noise, node) -
-                     noise.node_covariance(problem.nodes[node].scan_covariance) + noise.ins_covariance())
-                        .diagonal());
+    return Matrix6d(node_covariance(problem, noise, node) - noise.node_covariance(problem.nodes[node].scan_covariance) +
+                    noise.ins_covariance());
   };
-  return two.share * of_ins(two.node_a).cwiseMin(of_ins(two.node_b));
+  return common_variance(two.share, of_ins(two.node_a), of_ins(two.node_b));
 }
 
 struct MarginalInformation {
@@ -163,6 +161,12 @@ Eigen::MatrixXd weights_with_error(const Eigen::MatrixXd& information, const Eig
          told * symmetric_solution(sum, Eigen::MatrixXd(root.transpose()));
 }
 
+// Of A e, where e has the covariance C.
+Eigen::MatrixXd congruent(const Eigen::MatrixXd& by, const Eigen::MatrixXd& covariance) {
+  const Eigen::MatrixXd half = by * covariance;
+  return half * by.transpose();
+}
+
 // How the mountings move with errors of `information` that are alike in all pairs of a LiDAR, as its own X moves.
 void add_common(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& information,
                 const std::vector<Matrix6d>& of_lidars, Eigen::MatrixXd& sum) {
@@ -219,7 +223,7 @@ std::optional<RigInformation> rig_information(const RigProblem& problem, const S
       by_within->information, positive_part(by_all->information - by_within->information), {}, {}};
   for (const auto& [node, pull] : by_within->pulls) information.pulls[node] = {pull, by_all->pulls.at(node) - pull};
   for (const OverlappingSweeps& two : problem.overlaps)
-    information.in_common.push_back({two.node_a, two.node_b, common_variance(problem.joint, problem.noise, two)});
+    information.in_common.push_back({two.node_a, two.node_b, variance_in_common(problem.joint, problem.noise, two)});
   return information;
 }
 
@@ -263,49 +267,69 @@ Eigen::MatrixXd in_common(const RigInformation& information, const Eigen::Matrix
   return sum;
 }
 
+// What stands beside the pairs, of each LiDAR.
+struct BesidePairs {
+  Eigen::MatrixXd information, limits;  // priors and measured values; the inverse of what others see wrongly of it
+  Eigen::VectorXd by_cross;             // how far pairs across drew the mountings
+  std::vector<Matrix6d> common, doubts;
+};
+
+BesidePairs beside_pairs(const std::vector<RigLidar>& lidars, const RigProblem& problem,
+                         const std::vector<RigidTransform>& by_ins, const std::vector<RigidTransform>& by_all) {
+  const Eigen::Index size = signed_of(6 * lidars.size());
+  BesidePairs beside{
+      Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd(size), {}, {}};
+  for (std::size_t l = 0; l < lidars.size(); ++l) {
+    const Eigen::Index at = signed_of(6 * l);
+    beside.information.block<6, 6>(at, at) =
+        problem.joint.lidars[l].prior_information + problem.joint.lidars[l].measured.information(by_all[l]);
+    beside.limits.block<6, 6>(at, at) = inverse_by_lu(seen_by_others(lidars[l]));
+    beside.by_cross.segment<6>(at) = difference(by_ins[l], by_all[l]);
+    beside.common.push_back(lidars[l].details.common_covariance);
+    beside.doubts.push_back(doubts_of(lidars[l]));
+  }
+  return beside;
+}
+
+// What is alike in many pairs, which the equations take for independent, on top of the covariance that they give.
+// @param of_overlaps the covariance of the equations' sides by what overlapping sweeps have in common
+// @param of_pairs the information of the LiDARs' own pairs, as it is weighed
+Eigen::MatrixXd with_errors_in_common(const Eigen::MatrixXd& by_equations, const Eigen::MatrixXd& of_overlaps,
+                                      const Eigen::MatrixXd& of_pairs, const BesidePairs& beside) {
+  Eigen::MatrixXd sum = by_equations + congruent(by_equations, of_overlaps);
+  add_common(by_equations, of_pairs, beside.common, sum);
+  add_common(by_equations, of_pairs + beside.information, beside.doubts, sum);
+  return sum;
+}
+
 }  // namespace
 
 RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProblem& problem,
                              const RigInformation& information, const std::vector<RigidTransform>& by_ins,
                              const std::vector<RigidTransform>& by_all) {
-  const Eigen::Index size = information.within.rows();
-  Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(size, size), limits = beside;
-  Eigen::VectorXd by_cross(size);  // how far pairs across drew the mountings
-  std::vector<Matrix6d> common, doubts;
-  for (std::size_t l = 0; l < lidars.size(); ++l) {
-    const Eigen::Index at = signed_of(6 * l);
-    beside.block<6, 6>(at, at) =
-        problem.joint.lidars[l].prior_information + problem.joint.lidars[l].measured.information(by_all[l]);
-    limits.block<6, 6>(at, at) = inverse_by_lu(seen_by_others(lidars[l]));
-    by_cross.segment<6>(at) = difference(by_ins[l], by_all[l]);
-    common.push_back(lidars[l].details.common_covariance);
-    doubts.push_back(doubts_of(lidars[l]));
-  }
+  const BesidePairs beside = beside_pairs(lidars, problem, by_ins, by_all);
   const Distrust distrust = distrust_of_all(lidars, by_all);
   const Eigen::MatrixXd weighs_own = weights_with_error(information.within, distrust.own),
                         own = positive_part(weighs_own * information.within);
-  const Eigen::MatrixXd lost = information.across * inverse_of(information.across + limits);
+  const Eigen::MatrixXd lost = information.across * inverse_of(information.across + beside.limits);
   const Eigen::MatrixXd across = positive_part(information.across - lost * information.across);
   // Pairs across at different times tell no more of what the INS does wrong than those within.
   const Eigen::MatrixXd weighs_within = weights_with_error(own, distrust.in_common),
                         weighs_all = weights_with_error(own + across, distrust.in_common);
-  RigCovariance covariance{inverse_of(positive_part(weighs_within * own) + beside),
-                           inverse_of(positive_part(weighs_all * (own + across)) + beside),
+  RigCovariance covariance{inverse_of(positive_part(weighs_within * own) + beside.information),
+                           inverse_of(positive_part(weighs_all * (own + across)) + beside.information),
                            {}};
   // The joint solution weighed with the whole of both: (N_w + N_beside) x = N_c (c - x) tells where pairs across have
   // it.
-  const Eigen::VectorXd drawn = (information.within + beside) * by_cross;
-  covariance.moved = covariance.all * (weighs_all * (drawn - lost * drawn - own * by_cross) - beside * by_cross);
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(size, size),
-                        weighs_across = Eigen::MatrixXd::Identity(size, size) - lost;
-  for (const auto& [of, weighs, of_across] :
-       {std::tuple{&covariance.within, &weighs_within, &none}, {&covariance.all, &weighs_all, &weighs_across}}) {
-    const Eigen::MatrixXd by_information = *of, of_pairs = *weighs * own;
-    *of += by_information * *weighs * in_common(information, weighs_own, *of_across) * weighs->transpose() *
-           by_information;
-    add_common(by_information, of_pairs, common, *of);
-    add_common(by_information, of_pairs + beside, doubts, *of);
-  }
+  const Eigen::VectorXd drawn = (information.within + beside.information) * beside.by_cross;
+  covariance.moved = covariance.all * (weighs_all * (drawn - lost * drawn - own * beside.by_cross) -
+                                       beside.information * beside.by_cross);
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(lost.rows(), lost.cols()),
+                        all = Eigen::MatrixXd::Identity(lost.rows(), lost.cols());
+  const Eigen::MatrixXd overlaps_within = congruent(weighs_within, in_common(information, weighs_own, none)),
+                        overlaps_all = congruent(weighs_all, in_common(information, weighs_own, all - lost));
+  covariance.within = with_errors_in_common(covariance.within, overlaps_within, weighs_within * own, beside);
+  covariance.all = with_errors_in_common(covariance.all, overlaps_all, weighs_all * own, beside);
   const Eigen::VectorXd north = turned_by_common_north(lidars, by_all);
   covariance.within += north * north.transpose();
   covariance.all += north * north.transpose();

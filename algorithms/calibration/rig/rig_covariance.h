@@ -15,12 +15,13 @@ struct RigInformation {
   Eigen::MatrixXd within;  ///< by pairs within LiDARs
   Eigen::MatrixXd across;  ///< what cross pairs add
 
-  /// What a move of the white error of a keyframe's INS pose does to the sides of these equations, six columns.
+  /// What a move of the white error of a keyframe's INS pose, as in (F5), does to the sides of these equations: six
+  /// columns.
   struct Pull {
     Eigen::MatrixXd by_within, by_across;
   };
   std::map<motion::KeyframeIndex, Pull> pulls;  ///< of those whose sweeps overlap others'
-  /// Of two of these, the variance of the white error that both have.
+  /// Of two of these, the variance of the white error that both have, as in (F5): m² and rad².
   struct InCommon {
     motion::KeyframeIndex node_a, node_b;
     Vector6d variance;

@@ -150,6 +150,10 @@ double common_share(const motion::Sweep& a, const motion::Sweep& b, double b_aft
   return overlap_s > 0.0 ? overlap_s / std::sqrt(a.length_s() * b.length_s()) : 0.0;
 }
 
+Vector6d common_variance(double share, const Matrix6d& ins_at_a, const Matrix6d& ins_at_b) {
+  return share * ins_at_a.diagonal().cwiseMin(ins_at_b.diagonal());
+}
+
 bool is_at_once(const RigLidar& a, const motion::Sweep& of_a, const RigLidar& b, const motion::Sweep& of_b,
                 double b_after_a_s) {
   constexpr double kOneSweep = 0.9;

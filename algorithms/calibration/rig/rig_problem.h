@@ -10,6 +10,11 @@ namespace remount::calibration {
 /// and end together. docs/maths/rig.md (G13)
 double common_share(const motion::Sweep& a, const motion::Sweep& b, double b_after_a_s);
 
+/// The variance of the INS's white errors that two keyframes have in common: of what each has the smaller, by its axes,
+/// under `perturb` in body axes as a node's error (F5). docs/maths/rig.md (G13)
+/// @param share as common_share gives it
+Vector6d common_variance(double share, const Matrix6d& ins_at_a, const Matrix6d& ins_at_b);
+
 /// Whether they have all of it in common: stamps at once, and as good as one sweep.
 bool is_at_once(const RigLidar& a, const motion::Sweep& of_a, const RigLidar& b, const motion::Sweep& of_b,
                 double b_after_a_s);

@@ -7,7 +7,7 @@
 
 namespace remount::bags {
 
-/// Those of a topic's name, parted by '/' and '_'.
+/// The words of a topic's name, parted by '/' and '_'.
 std::vector<std::string_view> words_of(std::string_view topic);
 
 /// How many words the names of two topics begin with alike: of "/left_packets" and "/left_packets_difop" two, of

@@ -42,17 +42,22 @@ std::shared_ptr<drive::Session> driven_session(double position_sigma_m = 0.0, do
 /// A scan that begins at its stamp and takes 0.1 s.
 class SweptScan final : public drive::ScanSource {
  public:
-  std::size_t size() const override { return 1; }
-  std::int64_t stamp_ns(std::size_t) const override { return at_ns(5.0); }
+  explicit SweptScan(float latest_s) : latest_s_(latest_s) {}
+  std::size_t size() const override { return 3; }
+  std::int64_t stamp_ns(std::size_t scan) const override { return at_ns(5.0 + 0.1 * static_cast<double>(scan)); }
   std::string name(std::size_t) const override { return "scan"; }
   cloud::PointCloud load(std::size_t) const override {
     cloud::PointCloud cloud;
     for (int i = 0; i <= 100; ++i) {
       cloud.points.emplace_back(10.0f, 0.1f * static_cast<float>(i), 0.0f);
-      cloud.time_from_stamp_s.push_back(0.001f * static_cast<float>(i));
+      cloud.time_from_stamp_s.push_back(0.01f * latest_s_ * static_cast<float>(i));
     }
+    cloud.time_from_stamp_s[50] = std::numeric_limits<float>::quiet_NaN();
     return cloud;
   }
+
+ private:
+  float latest_s_;
 };
 
 /// Root mean square over the drive of the errors of local_from_ins: position in m, attitude in rad, each per axis.
@@ -93,10 +98,11 @@ TEST(drive_motion, noise_of_samples_is_averaged_and_the_noise_model_told_so) {
 
 TEST(drive_motion, the_noise_is_least_in_the_middle_of_a_scan) {
   const auto session = driven_session(0.005, 3.5e-4);
-  session->scans = std::make_shared<SweptScan>();
+  session->scans = std::make_shared<SweptScan>(0.1f);
   session->scan_timing = drive::ScanTiming::PerPoint;
-  EXPECT_NEAR(usual_sweep(*session, std::nullopt).middle_s(), 0.05, 1e-6);
-  const DriveMotion motion({session});
+  const std::vector<motion::Sweep> swept = swept_times({session}, settings::DeskewMode::Auto);
+  EXPECT_NEAR(swept.at(0).middle_s(), 0.05, 1e-6);
+  const DriveMotion motion({session}, swept);
   double sum = 0.0, about_stamps = 0.0;
   for (double t = 0.5; t < 19.5; t += 0.0731) {
     const auto off2 = [&](const motion::Passage& passage) {
@@ -106,6 +112,17 @@ TEST(drive_motion, the_noise_is_least_in_the_middle_of_a_scan) {
     about_stamps += off2(*motion.track(motion::SessionIndex{0}).around(at_ns(t)));
   }
   EXPECT_LT(std::sqrt(sum / about_stamps), 0.7);
+}
+
+TEST(drive_motion, times_that_no_scan_can_take_are_none) {
+  const auto session = driven_session();
+  session->scan_timing = drive::ScanTiming::PerPoint;
+  for (const float latest_s : {0.25f, 1e9f, std::numeric_limits<float>::infinity()}) {
+    session->scans = std::make_shared<SweptScan>(latest_s);
+    EXPECT_EQ(swept_times({session}, settings::DeskewMode::Auto).at(0).length_s(), 0.0) << latest_s;
+  }
+  session->scans = std::make_shared<SweptScan>(0.1f);
+  EXPECT_EQ(swept_times({session}, settings::DeskewMode::Off).at(0).length_s(), 0.0);
 }
 
 TEST(drive_motion, the_clock_offset_moves_the_lidar_along_the_trajectory) {

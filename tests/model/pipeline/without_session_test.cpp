@@ -37,6 +37,12 @@ struct ThreeSessions {
       result.candidates.back().source = source;
     }
     output.session_uses_sweep = {true, false, true};
+    output.session_sweeps.resize(3);
+    output.session_frames = {1, 2, 3};
+    for (std::size_t s = 0; s < 3; ++s) {
+      output.session_sweeps[s].period_s = 0.1 + 0.01 * static_cast<double>(s);
+      output.session_swept.push_back({0.0, output.session_sweeps[s].period_s});
+    }
   }
   void add_session(const char* name) {
     const auto session = std::make_shared<drive::Session>();
@@ -76,6 +82,11 @@ TEST(without_session, what_the_result_does_not_rest_on_goes_and_x_stays) {
   EXPECT_EQ(result.session_time_offset_s, (std::vector{0.010, 0.030}));
   EXPECT_NEAR(result.time_offset.offset_s, 0.020, 1e-12) << "the mean of those that are left";
   EXPECT_EQ(left->session_uses_sweep, (std::vector{true, true}));
+  EXPECT_EQ(left->session_frames, (std::vector{1, 3}));
+  ASSERT_EQ(left->session_sweeps.size(), 2U);
+  EXPECT_NEAR(left->session_sweeps[1].period_s, 0.12, 1e-12);
+  ASSERT_EQ(left->session_swept.size(), 2U);
+  EXPECT_NEAR(left->session_swept[1].until_s, 0.12, 1e-12);
   EXPECT_EQ(result.advice,
             (std::vector<Message>{of_session("session-short", 2, "friday"), Message::verbatim("Drive a ramp.")}));
 }
