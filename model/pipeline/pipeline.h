@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/motion/sweep.h"
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/pairwise/pairwise.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/progress.h"
+#include "algorithms/motion/sweep.h"
 #include "algorithms/quality/map_sharpness.h"
 #include "model/drive/session.h"
 #include "model/pipeline/verdicts.h"
