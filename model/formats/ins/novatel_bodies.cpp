@@ -1,6 +1,8 @@
 #include "model/formats/ins/novatel_bodies.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <span>
 
@@ -66,6 +68,9 @@ struct BodyLayout {
 constexpr BodyLayout kInspvaxLayout{kInspvaxBody, 23, 126}, kInspvaLayout{kInspvaBody, 12, 88},
     kInsstdevLayout{kInsstdevBody, 9, 52}, kBestposLayout{kBestposBody, 10, 72};
 
+/// Behind the time there is a word of status, then counts in this order: speeds along z, -y, x, turns about z, -y, x.
+constexpr std::size_t kRawImuBytes = 40, kRawImuCountsAt = 16, kRawImuCounts = 6, kRawImuFields = 9;
+
 /// Above the ellipsoid: nearer to the centre of the earth than to its surface.
 constexpr double kNoHeight_m = -3e6;
 
@@ -115,6 +120,22 @@ std::int64_t text_stamp_ns(std::string_view week_text, std::string_view seconds_
                           seconds_text, where);
 }
 
+std::uint32_t hex_number(std::string_view text, const std::string& where) {
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, 16);
+  if (error != std::errc() || end != text.data() + text.size())
+    fail_log(where, say::file_no_finite_number(say::log_imu_info(), std::string(text.substr(0, 20))));
+  return number;
+}
+
+double count_of(std::string_view text, const std::string& where) {
+  const auto count = parse_integer(text);
+  constexpr std::int64_t kMost = std::int64_t{1} << 31;
+  if (!count || *count < -kMost || *count > kMost)
+    fail_log(where, say::file_no_finite_number(say::log_imu_count(), std::string(text.substr(0, 20))));
+  return static_cast<double>(*count);
+}
+
 template <class T>
 T header_number(const NovatelFrame& frame, std::size_t byte) {
   return little_number<T>(frame.header, byte);
@@ -140,9 +161,10 @@ std::int64_t NovatelBodies::header_stamp_ns(const NovatelFrame& frame, const std
   return text_stamp_ns(fields[week_at], fields[week_at + 1], where);
 }
 
-std::int64_t NovatelBodies::body_stamp_ns(const NovatelFrame& frame, const std::string& where) {
-  if (!frame.binary) return text_stamp_ns(fields_[0], fields_[1], where);
-  const auto week = body_number<std::uint32_t>(frame, 0);
+std::int64_t NovatelBodies::body_stamp_ns(const NovatelFrame& frame, const std::string& where, std::size_t field) {
+  if (!frame.binary) return text_stamp_ns(fields_[field], fields_[field + 1], where);
+  // Behind two bytes of the IMU there are two for the week.
+  const auto week = field == 0 ? body_number<std::uint32_t>(frame, 0) : body_number<std::uint16_t>(frame, 2);
   const auto seconds = body_number<double>(frame, 4);
   constexpr double kWeek_s = 604'800.0;
   const bool within = seconds >= 0.0 && seconds <= kWeek_s;
@@ -181,6 +203,35 @@ std::optional<motion::GnssFix> NovatelBodies::fix(const NovatelFrame& frame, con
   fix.height_m = values.height_m + values.undulation_m;
   fix.covariance_enu_m2 = sigma_m.cwiseAbs2().asDiagonal();
   return fix;
+}
+
+std::optional<NovatelRawImu> NovatelBodies::raw_imu(const NovatelFrame& frame, const std::string& where) {
+  const bool extended = frame.type->name == "RAWIMUX" || frame.type->name == "RAWIMUSX";
+  const std::size_t time_field = extended ? 2 : 0, fields = kRawImuFields + time_field;
+  if (!frame.binary) split_csv(frame.body, fields_);
+  if (frame.binary && frame.body.size() < kRawImuBytes)
+    fail_log(where, say::novatel_body_bytes(Bytes{frame.body.size()}, Bytes{kRawImuBytes}));
+  if (!frame.binary && fields_.size() < fields) fail_log(where, say::inspvax_data_fields(fields_.size(), fields));
+  NovatelRawImu imu;
+  unsigned info = 0;  // 1: an error, 2: encrypted
+  if (extended && frame.binary) {
+    info = body_number<std::uint8_t>(frame, 0);
+    imu.type = body_number<std::uint8_t>(frame, 1);
+  } else if (extended) {
+    info = hex_number(fields_[0], where);
+    const auto type = parse_integer(fields_[1]);
+    imu.type = type && *type > 0 && *type < 256 ? static_cast<int>(*type) : 0;
+  }
+  std::array<double, kRawImuCounts> counts{};
+  for (std::size_t i = 0; i < kRawImuCounts; ++i)
+    counts[i] = frame.binary ? static_cast<double>(body_number<std::int32_t>(frame, kRawImuCountsAt + 4 * i))
+                             : count_of(fields_[time_field + 3 + i], where);
+  imu.sample.stamp_ns = body_stamp_ns(frame, where, time_field);
+  if ((info & 3U) != 0) return std::nullopt;
+  // Right, forward, up in the log.
+  imu.sample.specific_force_mps2 = {-counts[1], -counts[2], counts[0]};
+  imu.sample.angular_rate_radps = {-counts[4], -counts[5], counts[3]};
+  return imu;
 }
 
 }  // namespace remount::formats

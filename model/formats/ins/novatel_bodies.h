@@ -15,6 +15,11 @@ struct NovatelSolution {
   bool misnamed = false;     ///< its status is named after the wrong table (is_of_wrong_table)
 };
 
+struct NovatelRawImu {
+  motion::ImuSample sample;  ///< in counts of one step, of axes x forward, y left, z up; stamped with GPS time as UTC
+  int type = 0;              ///< of the IMU; 0 where the log does not say
+};
+
 /// Reads frames without a problem. Every function throws Error(Format) at `where` for what cannot be used.
 class NovatelBodies {
  public:
@@ -25,11 +30,14 @@ class NovatelBodies {
   StampedSigma errors(const NovatelFrame& frame, const std::string& where);
   /// Of NovatelUse::Bestpos; nothing where the receiver had no position.
   std::optional<motion::GnssFix> fix(const NovatelFrame& frame, const std::string& where);
+  /// Of NovatelUse::RawImu; nothing where the IMU had an error, or the counts are encrypted. Forward is the y of the
+  /// IMU.
+  std::optional<NovatelRawImu> raw_imu(const NovatelFrame& frame, const std::string& where);
 
  private:
   std::string word(const NovatelFrame& frame, std::size_t field, std::size_t byte) const;
   std::int64_t header_stamp_ns(const NovatelFrame& frame, const std::string& where);
-  std::int64_t body_stamp_ns(const NovatelFrame& frame, const std::string& where);
+  std::int64_t body_stamp_ns(const NovatelFrame& frame, const std::string& where, std::size_t field = 0);
 
   std::vector<std::string_view> fields_;  // of an ASCII body; one memory for all
 };

@@ -16,7 +16,7 @@ enum class NovatelUse {
   Inspva,    ///< without errors, and with its time in the body
   Insstdev,  ///< errors alone
   Bestpos,   ///< a position with its errors: of the receiver, or of the INS where there is one
-  RawImu,    ///< counts whose scale goes by the type of the IMU: named and counted
+  RawImu,    ///< counts whose scale goes by the type of the IMU
 };
 struct NovatelLogType {
   std::uint16_t id = 0;

@@ -36,14 +36,14 @@ bool is_novatel(std::string_view head, bool binary) {
     const NovatelUse use = frame.type->use;
     // One that is mentioned in a text has no header.
     const bool of_ins = (use == NovatelUse::Inspvax || use == NovatelUse::Inspva) && !frame.header.empty();
-    if (of_ins || (whole && use == NovatelUse::Bestpos)) return true;
+    if (of_ins || (whole && (use == NovatelUse::Bestpos || use == NovatelUse::RawImu))) return true;
   }
   return false;
 }
 
 /// What is to be read of a recording, by its survey.
 struct NovatelChoice {
-  std::string solution, fixes;
+  std::string solution, fixes, imu;
   std::vector<std::string> errors;
 };
 
@@ -56,6 +56,7 @@ std::size_t usable_of(const NovatelSurvey& survey, const std::string& name) {
 
 NovatelChoice choose_novatel(const NovatelSurvey& survey, bool fixes_alone) {
   NovatelChoice choice;
+  if (!fixes_alone) choice.imu = survey.most_of({NovatelUse::RawImu});
   if (!fixes_alone) choice.solution = survey.most_of({NovatelUse::Inspvax, NovatelUse::Inspva});
   // BESTPOS may be the INS itself.
   if (choice.solution.empty())
@@ -98,6 +99,8 @@ class NovatelCollector {
       const auto fix = bodies_.fix(frame, {});
       if (fix) log_.fixes.push_back(*fix);
       log_.without_fix += !fix;
+    } else if (name == choice_.imu) {
+      if (const auto imu = bodies_.raw_imu(frame, {})) log_.imu.push_back(imu->sample);
     } else if (std::ranges::find(choice_.errors, name) != choice_.errors.end()) {
       take_errors(frame);
     }
@@ -132,12 +135,30 @@ void tell_novatel(const NovatelLog& log, std::size_t without_errors, std::vector
     told.push_back(none ? say::novatel_no_errors(kNear) : say::novatel_errors_of(log.error_logs, kNear));
     if (!none && without_errors > 0) told.push_back(say::novatel_errors_missing(without_errors));
   }
+  if (!log.imu_told.empty()) told.push_back(log.imu_told);
   if (log.without_solution > 0) told.push_back(say::novatel_without_solution(log.without_solution));
   if (!log.not_used.empty()) told.push_back(say::novatel_not_used(log.not_used));
   if (log.stray_bytes > 0) told.push_back(say::novatel_stray(Bytes{log.stray_bytes}));
   if (told.size() > 1 || log.ins.empty())
     findings.push_back(drive::make_finding(drive::Severity::Note, "ins-log-chosen", log.path.string(),
                                            Message::sequence(std::move(told))));
+}
+
+/// Counts become rates and forces, or are passed over with the reason.
+void settle_imu(const NovatelSurvey& survey, const std::string& imu, NovatelLog& log) {
+  if (log.imu.empty()) return;
+  drive::keep_ascending(log.imu, "imu", log.path.string(), log.findings);
+  const std::size_t count = log.imu.size();
+  log.imu_told = scale_raw_imu(survey.imu_types, imu, log.imu);
+  if (!log.imu.empty()) log.imu_told = say::novatel_imu_taken(imu, count, survey.imu_types.names().front());
+}
+
+/// Why a recording without a solution and without fixes is of no use.
+Message nothing_to_take(const NovatelSurvey& survey) {
+  std::vector<std::string> there = survey.others({});
+  if (there.empty()) return say::inspvax_none_usable();
+  return survey.most_of({NovatelUse::RawImu}).empty() ? say::novatel_others(std::move(there))
+                                                      : say::novatel_imu_alone(std::move(there));
 }
 
 NovatelLog read_recording(const fs::path& path, bool fixes_alone) {
@@ -149,11 +170,8 @@ NovatelLog read_recording(const fs::path& path, bool fixes_alone) {
   log.fixes_were_asked = fixes_alone;
   if (choice.fixes.empty() && fixes_alone)
     throw Error(ErrorCode::Format, path.string(), survey.bad.after(say::novatel_no_fixes()));
-  if (choice.fixes.empty() && choice.solution.empty()) {
-    std::vector<std::string> there = survey.others({});
-    throw Error(ErrorCode::Format, path.string(),
-                survey.bad.after(there.empty() ? say::inspvax_none_usable() : say::novatel_others(std::move(there))));
-  }
+  if (choice.fixes.empty() && choice.solution.empty())
+    throw Error(ErrorCode::Format, path.string(), survey.bad.after(nothing_to_take(survey)));
   log.taken = choice.solution.empty() ? choice.fixes : choice.solution;
   const auto taken = survey.logs.find(choice.solution);
   log.states_errors = taken != survey.logs.end() && taken->second.use == NovatelUse::Inspvax;
@@ -161,14 +179,17 @@ NovatelLog read_recording(const fs::path& path, bool fixes_alone) {
   // As much memory as is needed: a vector that grows has twice that, and the recording is still there.
   log.ins.reserve(usable_of(survey, choice.solution));
   log.fixes.reserve(usable_of(survey, choice.fixes));
+  log.imu.reserve(usable_of(survey, choice.imu));
   std::size_t errors = 0;
   for (const std::string& name : choice.errors) errors += usable_of(survey, name);
   log.errors.reserve(errors);
   NovatelCollector(choice, log).read(recording);
+  settle_imu(survey, choice.imu, log);
   survey.bad.report(log.findings, "bad-ins", path.string(),
                     recording.is_text() ? say::left_out_lines : say::left_out_logs);
   std::vector<std::string> used = choice.errors;
   used.insert(used.end(), {choice.solution, choice.fixes});
+  if (!log.imu.empty()) used.push_back(choice.imu);
   log.not_used = survey.others(used);
   if (!recording.is_text()) log.stray_bytes = survey.stray_bytes;
   return log;
@@ -228,6 +249,26 @@ std::vector<motion::GnssFix> read_novatel_fixes(const fs::path& path, std::vecto
   NovatelLog log = read_novatel_log(path, NovatelFormat::Log, true);
   settle_novatel(log, {}, findings);
   return std::move(log.fixes);
+}
+
+std::vector<motion::ImuSample> read_novatel_imu(const fs::path& path, std::vector<drive::Finding>& findings) {
+  const NovatelRecording recording(path);
+  const NovatelSurvey survey = survey_novatel(recording);
+  NovatelChoice choice;
+  choice.imu = survey.most_of({NovatelUse::RawImu});
+  if (choice.imu.empty()) throw Error(ErrorCode::Format, path.string(), survey.bad.after(say::novatel_no_imu()));
+  NovatelLog log;
+  log.path = path;
+  log.imu.reserve(usable_of(survey, choice.imu));
+  NovatelCollector(choice, log).read(recording);
+  settle_imu(survey, choice.imu, log);
+  if (log.imu.empty()) throw Error(ErrorCode::Format, path.string(), log.imu_told);
+  survey.bad.report(log.findings, "bad-imu", path.string(),
+                    recording.is_text() ? say::left_out_lines : say::left_out_logs);
+  findings.insert(findings.end(), std::make_move_iterator(log.findings.begin()),
+                  std::make_move_iterator(log.findings.end()));
+  findings.push_back(drive::make_finding(drive::Severity::Note, "ins-log-chosen", path.string(), log.imu_told));
+  return std::move(log.imu);
 }
 
 }  // namespace remount::formats

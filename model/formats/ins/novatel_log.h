@@ -29,6 +29,8 @@ struct NovatelLog {
   std::vector<StampedSigma> errors;     ///< of INSPVAX and INSSTDEV beside what is taken
   std::vector<std::string> error_logs;  ///< where these are from, for messages
   std::vector<motion::GnssFix> fixes;   ///< where there is no `ins`
+  std::vector<motion::ImuSample> imu;   ///< ascending; empty where the scale of its counts is not known
+  Message imu_told;                     ///< what was made of raw counts of the IMU, or why nothing was
   bool fixes_were_asked = false;        ///< whether there is a solution of an INS or not
   std::size_t without_solution = 0, without_fix = 0;
   std::vector<std::string> not_used;  ///< "RAWIMUSX (3000)"
@@ -42,9 +44,10 @@ struct NovatelLog {
 /// is SPAN's body frame, x right, y forward, z up. Height is above the ellipsoid (INSPVA's own; MSL height plus
 /// undulation of INSPVAX and BESTPOS). An ASCII log stands anywhere within its line: behind the prompt of a port or the
 /// time of a terminal. Of INSPVAX, INSPVA, INSPVAS, IMURATEPVA and IMURATEPVAS the one with most samples serves. Where
-/// there is none, the fixes of BESTPOS or BESTGNSSPOS do. In a CSV the host's time column is not used; what it differs
-/// from GPS time is a finding ("host-clock"). Logs with a wrong CRC or broken fields are left out and counted in
-/// findings. Throws Error where the file cannot be read or holds neither.
+/// there is none, the fixes of BESTPOS or BESTGNSSPOS do. Of RAWIMU and its kin the one with most is the IMU, in axes x
+/// forward (the y of the IMU), y left, z up, where the log names one type of IMU and gravity is felt. In a CSV the
+/// host's time column is not used; what it differs from GPS time is a finding ("host-clock"). Logs with a wrong CRC or
+/// broken fields are left out and counted in findings. Throws Error where the file cannot be read or holds neither.
 /// @param fixes_alone fixes are wanted and no solution, and not having them is an Error
 NovatelLog read_novatel_log(const std::filesystem::path& path, NovatelFormat format, bool fixes_alone = false);
 
@@ -58,6 +61,10 @@ NovatelLog read_novatel(const std::filesystem::path& path, NovatelFormat format,
 
 /// The receiver's fixes of a log, whether it has an INS or not: BESTGNSSPOS, or BESTPOS where there is none of these.
 std::vector<motion::GnssFix> read_novatel_fixes(const std::filesystem::path& path,
+                                                std::vector<drive::Finding>& findings);
+
+/// The raw measurements of a log's IMU, whatever else it has. Throws Error where there are none that can be used.
+std::vector<motion::ImuSample> read_novatel_imu(const std::filesystem::path& path,
                                                 std::vector<drive::Finding>& findings);
 
 }  // namespace remount::formats

@@ -5,6 +5,7 @@
 #include "algorithms/core/error.h"
 #include "messages/general.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/number_bytes.h"
 #include "model/formats/files/text_file.h"
 
 namespace remount::formats {
@@ -17,7 +18,7 @@ std::string recorded_bytes(const std::filesystem::path& path) {
 }
 
 /// Whether there is something to take. Throws Error where its content is not possible.
-bool has_content(const NovatelFrame& frame, NovatelBodies& bodies, const std::string& where) {
+bool has_content(const NovatelFrame& frame, NovatelBodies& bodies, const std::string& where, NovatelImuTypes& imus) {
   switch (frame.type->use) {
     case NovatelUse::Inspvax:
     case NovatelUse::Inspva:
@@ -27,9 +28,22 @@ bool has_content(const NovatelFrame& frame, NovatelBodies& bodies, const std::st
       return true;
     case NovatelUse::Bestpos:
       return bodies.fix(frame, where).has_value();
+    case NovatelUse::RawImu: {
+      const auto imu = bodies.raw_imu(frame, where);
+      if (imu) imus.add(imu->type);
+      return imu.has_value();
+    }
     default:
       return false;
   }
+}
+
+/// The first field of INSCONFIG.
+void add_configured_imu(const NovatelFrame& frame, NovatelImuTypes& imus) {
+  if (!frame.binary)
+    imus.add(frame.body.substr(0, frame.body.find(',')));
+  else if (frame.body.size() >= sizeof(std::uint32_t))
+    imus.add(static_cast<int>(std::min<std::uint32_t>(little_number<std::uint32_t>(frame.body, 0), 255)));
 }
 
 /// Whoever made a file may have made up a name for each of its logs.
@@ -87,9 +101,10 @@ NovatelSurvey survey_novatel(const NovatelRecording& recording) {
       count = survey.logs.emplace(name, NovatelCount{counts ? frame.type->use : NovatelUse::None}).first;
     }
     ++count->second.whole;
+    if (name == "INSCONFIG") add_configured_imu(frame, survey.imu_types);
     if (!counts) continue;
     try {
-      count->second.usable += has_content(frame, bodies, places.of(frame.at));
+      count->second.usable += has_content(frame, bodies, places.of(frame.at), survey.imu_types);
     } catch (const Error& error) {
       survey.bad.add(error);
     }

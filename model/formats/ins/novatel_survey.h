@@ -6,6 +6,7 @@
 
 #include "model/drive/bad_items.h"
 #include "model/formats/ins/novatel_bodies.h"
+#include "model/formats/ins/novatel_imu.h"
 #include "model/formats/ins/novatel_log.h"
 
 namespace remount::formats {
@@ -48,6 +49,7 @@ struct NovatelSurvey {
   std::size_t unnamed = 0;                                ///< beyond the names that are kept
   std::size_t stray_bytes = 0;                            ///< belong to no log, whole or broken
   drive::BadItems bad;                                    ///< of types that are used
+  NovatelImuTypes imu_types;                              ///< as RAWIMUX and INSCONFIG name them
 
   /// The log of a use that has most that is usable, INSPVAX before others; empty where there is none.
   std::string most_of(std::initializer_list<NovatelUse> uses) const;

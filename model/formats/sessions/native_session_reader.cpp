@@ -78,6 +78,12 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
   session.ins = parse_ins_table(text, session.files.back(), layout, session.findings);
 }
 
+/// A recording of a NovAtel with raw measurements, or the table of a native session.
+std::vector<motion::ImuSample> read_imu(const fs::path& file, std::vector<drive::Finding>& findings) {
+  if (recognise_novatel(file) == NovatelFormat::Log) return read_novatel_imu(file, findings);
+  return read_imu_table(file, findings);
+}
+
 constexpr std::array<std::string_view, 4> kSensors{"imu", "gnss", "wheels", "barometer"};
 
 void read_sensors(const DocumentView& root, const fs::path& folder, drive::Session& session) {
@@ -93,7 +99,7 @@ void read_sensors(const DocumentView& root, const fs::path& folder, drive::Sessi
     const bool is_log = again && (recognise_nmea(file) || recognise_novatel(file));
     samples = read_table(file, is_log ? told_already : session.findings);
   };
-  read("imu", session.imu, read_imu_table);
+  read("imu", session.imu, read_imu);
   read("gnss", session.gnss, read_gnss);
   read("wheels", session.wheels, read_wheel_table);
   read("barometer", session.barometer, read_barometer_table);

@@ -113,6 +113,8 @@ fs::path read_best_novatel(const NovatelLogs& files, drive::Session& session) {
   session.files.push_back(best->path);
   session.ins = std::move(best->ins);
   session.gnss = std::move(best->fixes);
+  const auto most_imu = std::ranges::max_element(logs, {}, [](const NovatelLog& log) { return log.imu.size(); });
+  session.imu = std::move(most_imu->imu);
   if (!others.empty())
     session.findings.push_back(drive::make_finding(drive::Severity::Note, "ins-file-chosen", best->path.string(),
                                                    say::inspvax_log_chosen(std::move(others))));

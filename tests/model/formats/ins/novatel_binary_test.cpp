@@ -99,7 +99,8 @@ TEST_F(novatel_binary, errors_come_from_the_logs_beside_it) {
     EXPECT_EQ(said("ins-log-chosen"), std::string("The INS is taken from INSPVAS (100 samples). Its errors are those "
                                                   "of ") +
                                           (by_insstdev ? "INSSTDEVS" : "INSPVAX") +
-                                          ", the nearest in time and not more than 2 s away. Not used: RAWIMUSX (2).");
+                                          ", the nearest in time and not more than 2 s away. The IMU is taken from "
+                                          "RAWIMUSX (2 samples, type EPSON_G320).");
   }
 }
 

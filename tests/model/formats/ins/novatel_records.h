@@ -1,6 +1,7 @@
 // NovAtel's logs for tests, byte by byte as the manual has them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -129,12 +130,39 @@ inline Body bestpos_body(std::uint32_t status = 0) {
   return body.add<std::uint64_t>(0);
 }
 
-/// Of RAWIMUSX, 40 bytes.
-inline Body rawimux_body(double seconds) {
+/// Counts of an Epson G320 that stands, as the manual has them: along z, -y, x, then about these.
+inline constexpr std::array<int, 6> kStandingCounts{329'308'016, -2'706'935, 4'508'389, 196'192, 417'138, -1'000'837};
+
+/// Of RAWIMUX and RAWIMUSX, 40 bytes.
+inline Body rawimux_body(double seconds, int type = 41, const std::array<int, 6>& counts = kStandingCounts,
+                         int info = 4) {
   Body body;
-  body.add<std::uint8_t>(4).add<std::uint8_t>(41).add<std::uint16_t>(kWeek).add(seconds).add<std::uint32_t>(0);
-  for (int i = 0; i < 6; ++i) body.add<std::int32_t>(1000 * i);
+  body.add(static_cast<std::uint8_t>(info)).add(static_cast<std::uint8_t>(type)).add<std::uint16_t>(kWeek);
+  body.add(seconds).add<std::uint32_t>(0);
+  for (const int count : counts) body.add<std::int32_t>(count);
   return body;
+}
+
+/// Of RAWIMU and RAWIMUS, 40 bytes.
+inline Body rawimu_body(double seconds) {
+  Body body;
+  body.add<std::uint32_t>(kWeek).add(seconds).add<std::uint32_t>(0);
+  for (const int count : kStandingCounts) body.add<std::int32_t>(count);
+  return body;
+}
+
+/// @param name "RAWIMUA", "RAWIMUSA", "RAWIMUXA" or "RAWIMUSXA"
+inline std::string rawimu(const std::string& name, double seconds) {
+  const bool is_short = name.starts_with("RAWIMUS");
+  char time[64];
+  std::snprintf(time, sizeof time, "%d,%.6f,ea59fe00", kWeek, seconds);
+  std::string body = (name.ends_with("XA") ? "04,41," : "") + std::string(time);
+  for (const int count : kStandingCounts) body += "," + std::to_string(count);
+  char header[120];
+  std::snprintf(header, sizeof header,
+                is_short ? "%s,%d,%.3f;" : "%s,USB1,0,64.5,FINESTEERING,%d,%.3f,02000020,0dc5,16809;", name.c_str(),
+                kWeek, seconds);
+  return with_crc(is_short ? '%' : '#', header + body);
 }
 
 }  // namespace remount::formats::novatel
