@@ -9,6 +9,7 @@
 #include "model/simulator/novatel_drive.h"
 #include "model/simulator/peer_formats.h"
 #include "model/simulator/sbet_drive.h"
+#include "model/simulator/sbf_drive.h"
 
 namespace remount::simulator {
 
@@ -90,6 +91,7 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"novatel-ascii", "novatel", write_novatel_ascii_drive, OtherTruth::None, kRightForwardUp},
       {"novatel-binary", "novatel", write_novatel_binary_drive, OtherTruth::None, kRightForwardUp},
       {"sbet", "ins-log", write_sbet_drive},
+      {"sbf", "ins-log", write_sbf_drive},
       {"poses", "poses", write_pose_drive},
       {"apollo-csv", "poses", write_apollo_drive, OtherTruth::None, kRightForwardUp},
       {"nmea", "gnss-log", write_nmea_drive},

@@ -8,6 +8,7 @@
 #include "messages/ins_logs.h"
 #include "model/drive/plausible_values.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/sbf_blocks.h"
 
 namespace remount::bags {
 namespace {
@@ -153,9 +154,10 @@ InspvaxMessage read_ins_nav_geod(MessageReader& reader) {
   const std::int64_t in_week_ms = reader.number<std::uint32_t>(), week = reader.number<std::uint16_t>();
   const int mode = reader.number<std::uint8_t>() & 0xf, error = reader.number<std::uint8_t>();
   for (int i = 0; i < 2; ++i) reader.number<std::uint16_t>();  // information, age of corrections
-  motion::InsSample& sample = message.sample;
-  sample.latitude_rad = reader.number<double>(), sample.longitude_rad = reader.number<double>();
-  sample.height_m = reader.number<double>();
+  formats::InsNavValues values;
+  values.mode = mode, values.error = error;
+  values.latitude_rad = reader.number<double>(), values.longitude_rad = reader.number<double>();
+  values.height_m = reader.number<double>();
   reader.number<float>();                                      // undulation: heights are above the ellipsoid
   for (int i = 0; i < 2; ++i) reader.number<std::uint16_t>();  // accuracy, latency
   reader.number<std::uint8_t>();                               // datum
@@ -165,23 +167,15 @@ InspvaxMessage read_ins_nav_geod(MessageReader& reader) {
   for (int i = 0; i < 3; ++i) next();  // covariances of the position
   const double heading_deg = next(), pitch_deg = next(), roll_deg = next();
   const double heading_sigma_deg = next(), pitch_sigma_deg = next(), roll_sigma_deg = next();
-  if ((there & kAttitude) == 0 || drive::angle_means_not_known(heading_deg))
-    fail_ins(reader, say::bag_none_is_oriented());
-  require_place(reader, sample.latitude_rad, sample.longitude_rad, sample.height_m);
-  const drive::AttitudeAngles angles{degrees_to_radians(heading_deg), degrees_to_radians(pitch_deg),
-                                     degrees_to_radians(roll_deg)};
-  require_angles(reader, angles);
-  sample.enu_from_ins = drive::enu_from_ins(angles, drive::AttitudeConvention::Heading);
-  if ((there & kPositionErrors) != 0) sample.sigma.position_enu_m = {stated(east_m), stated(north_m), stated(up_m)};
-  if ((there & kAttitudeErrors) != 0)
-    sample.sigma.attitude_rad =
-        drive::axis_sigma_rad({degrees_to_radians(stated(heading_sigma_deg)),
-                               degrees_to_radians(stated(pitch_sigma_deg)), degrees_to_radians(stated(roll_sigma_deg))},
-                              drive::AttitudeConvention::Heading);
-  sample.quality = error != 0  ? motion::InsQuality::Invalid
-                   : mode == 0 ? motion::InsQuality::Degraded  // of the IMU alone
-                               : motion::InsQuality::Good;
-  sample.stamp_ns = gps_stamp_ns(reader, week, in_week_ms);
+  if ((there & kAttitude) != 0)
+    values.heading_deg = heading_deg, values.pitch_deg = pitch_deg, values.roll_deg = roll_deg;
+  if ((there & kPositionErrors) != 0) values.position_sigma_enu_m = {east_m, north_m, up_m};
+  if ((there & kAttitudeErrors) != 0) {
+    values.heading_sigma_deg = heading_sigma_deg, values.pitch_sigma_deg = pitch_sigma_deg;
+    values.roll_sigma_deg = roll_sigma_deg;
+  }
+  message.sample = formats::ins_nav_sample(values, reader.where());
+  message.sample.stamp_ns = gps_stamp_ns(reader, week, in_week_ms);
   return message;
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/formats/ins/ncom_file.h"
 #include "model/formats/ins/sbet_file.h"
+#include "model/formats/ins/sbf_file.h"
 #include "model/formats/ins/trajectory_text.h"
 
 namespace remount::formats {
@@ -13,6 +14,7 @@ const std::vector<InsLogKind>& ins_log_kinds() {
   static const std::vector<InsLogKind> kinds{
       {"sbet", recognise_sbet, recognise_sbet, read_sbet},
       {"ncom", recognise_ncom, nullptr, read_ncom},
+      {"sbf", recognise_sbf, nullptr, read_sbf},
       {"trajectory-text", recognise_trajectory_text, is_post_processed_text, read_trajectory_text}};
   return kinds;
 }

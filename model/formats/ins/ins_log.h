@@ -29,7 +29,7 @@ struct InsLogKind {
   InsLog (*read)(const std::filesystem::path& path, std::vector<drive::Finding>& findings);
 };
 
-/// Applanix SBET, OxTS NCOM, and tables of post-processing programs.
+/// Applanix SBET, OxTS NCOM, Septentrio SBF, and tables of post-processing programs.
 const std::vector<InsLogKind>& ins_log_kinds();
 
 /// Of a file; null where it is none of these.

@@ -7,6 +7,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/ins/nmea_log.h"
 #include "model/formats/ins/novatel_log.h"
+#include "model/formats/ins/sbf_file.h"
 #include "model/formats/ins/sensor_tables.h"
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
@@ -105,6 +106,7 @@ std::vector<motion::GnssFix> read_gnss(const fs::path& path, std::vector<drive::
   if (recognise_rtklib(path)) return read_rtklib(path, findings);
   if (recognise_gpx(path)) return read_gpx(path, findings);
   if (recognise_novatel(path) == NovatelFormat::Log) return read_novatel_fixes(path, findings);
+  if (recognise_sbf(path)) return read_sbf_fixes(path, findings);
   return read_gnss_table(path, findings);
 }
 

@@ -13,7 +13,7 @@ class GnssLogReader final : public SessionReader {
   drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
-/// Fixes of a file by its content: NMEA, RTKLIB, GPX, NovAtel, or the table of a native session.
+/// Fixes of a file by its content: NMEA, RTKLIB, GPX, NovAtel, SBF, or the table of a native session.
 std::vector<motion::GnssFix> read_gnss(const std::filesystem::path& path, std::vector<drive::Finding>& findings);
 
 }  // namespace remount::formats

@@ -15,6 +15,7 @@
 #include "model/formats/ins/ins_table.h"
 #include "model/formats/ins/nmea_log.h"
 #include "model/formats/ins/novatel_log.h"
+#include "model/formats/ins/sbf_file.h"
 #include "model/formats/ins/sensor_tables.h"
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
@@ -96,7 +97,7 @@ void read_sensors(const DocumentView& root, const fs::path& folder, drive::Sessi
     if (!again) session.files.push_back(file);
     // A log that is the INS as well has told what is wrong with it; columns of a table are each told of.
     std::vector<drive::Finding> told_already;
-    const bool is_log = again && (recognise_nmea(file) || recognise_novatel(file));
+    const bool is_log = again && (recognise_nmea(file) || recognise_novatel(file) || recognise_sbf(file));
     samples = read_table(file, is_log ? told_already : session.findings);
   };
   read("imu", session.imu, read_imu);

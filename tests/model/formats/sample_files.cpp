@@ -10,6 +10,7 @@
 #include "tests/model/formats/bags/bag_fixtures.h"
 #include "tests/model/formats/ins/ncom_records.h"
 #include "tests/model/formats/ins/novatel_records.h"
+#include "tests/model/formats/ins/sbf_records.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 
@@ -267,6 +268,23 @@ Bytes ncom(int count) {
     record.channel = i % 5;
     record.minutes = 21'400'586 + time_ms / kMinute_ms;
     bytes += record.bytes();
+  }
+  return bytes;
+}
+
+Bytes sbf_log(int count) {
+  Bytes bytes = "$@noise";
+  for (int i = 0; i < count; ++i) {
+    const double t = 0.1 * i, yaw = 1.5 * std::sin(0.31 * t) + 0.8 * std::sin(0.83 * t + 1.0), time = 44'818.0 + t;
+    sbf::InsRecord record{.seconds = time, .angles = {static_cast<float>(-57.3 * yaw), 0.5F, -0.25F}};
+    record.place[1] += 1e-8 * i;
+    bytes += record.bytes();
+    if (i % 10 == 0) {
+      record.cartesian = record.with_covariance = true;
+      record.place[0] = 3.9e6, record.place[1] = 6.3e5, record.place[2] = 4.97e6;
+      bytes += record.bytes() + sbf::att_euler(time, 90.0F, 5.0F, sbf::kDoNotUse) + sbf::att_cov_euler(time) +
+               sbf::pvt_geodetic(time) + sbf::pos_cov_geodetic(time);
+    }
   }
   return bytes;
 }

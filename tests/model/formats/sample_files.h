@@ -30,6 +30,7 @@ Bytes novatel_binary(int count);  ///< the same in binary, with what stands amon
 Bytes sbet(int count);            ///< of the times of `poses`, without their date
 Bytes smrmsg(int count);          ///< the same every tenth of a second
 Bytes ncom(int count);            ///< at the times of `poses`
+Bytes sbf_log(int count);         ///< likewise: INSNavGeod, and what a receiver says beside it
 Bytes explorer_table(int count);  ///< of Inertial Explorer, at the times of `poses`
 Bytes oxts_csv(int count);
 Bytes rtklib(int count);

@@ -281,6 +281,7 @@ void add_texts(Recipes& list) {
   list.push_back({"novatel", "csv", pack_files({{"ins.csv", inspvax_csv(12)}, {"aft_mapped.csv", odometry_csv(12)}})});
   list.push_back({"ins-log", "sbet", pack_files({{"sbet_a.out", sbet(40)}, {"smrmsg_a.out", smrmsg(30)}, lidar})});
   list.push_back({"ins-log", "ncom", pack_files({{"drive.ncom", ncom(40)}, lidar})});
+  list.push_back({"ins-log", "sbf", pack_files({{"drive.sbf", sbf_log(40)}, lidar})});
   list.push_back({"ins-log", "explorer", pack_files({{"ie.txt", explorer_table(20)}, lidar})});
   list.push_back({"ins-log", "oxts-csv", pack_files({{"oxts.csv", oxts_csv(20)}})});
   list.push_back({"gnss-log", "rtklib", pack_files({{"rover.pos", rtklib(12)}, lidar})});
