@@ -162,6 +162,8 @@ class ManifestWriter {
                                                                                : "gps-week"));
     if (time.gps_week) node.add("week", column(*time.gps_week));
     if (time.day) node.add("day", column(*time.day));
+    if (time.date_order != formats::DateOrder::YearFirst)
+      node.add("order", DocumentNode::string(std::string(date_order_name(time.date_order))));
     if (time.nanoseconds) node.add("nanoseconds", column(*time.nanoseconds));
     return node;
   }

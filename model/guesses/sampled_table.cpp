@@ -1,6 +1,7 @@
 #include "model/guesses/sampled_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,6 +13,7 @@
 namespace remount::guesses {
 namespace {
 
+using formats::DateOrder;
 using formats::LineReader;
 using formats::TableText;
 
@@ -22,6 +24,7 @@ constexpr std::size_t kSampledRows = 20'000;  ///< that are kept, about
 constexpr std::size_t kMostTexts = 12;
 constexpr double kNearlyAll = 0.95;
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr char kSomeDay[] = "2000-01-01 ";
 
 bool is_comment(std::string_view line) { return line.starts_with('#'); }
 
@@ -41,12 +44,17 @@ std::optional<double> number_of(std::string_view field, const TableText& text) {
 bool is_clock(std::string_view field) {
   return std::ranges::count(field, ':') == 2 && formats::parse_calendar_ns("2000-01-01 " + std::string(field));
 }
-bool is_day(std::string_view field) {
-  return field.size() <= 10 && formats::parse_calendar_ns(std::string(field) + " 00:00:00").has_value();
+constexpr std::array kDateOrders{DateOrder::YearFirst, DateOrder::DayFirst, DateOrder::MonthFirst};
+bool is_day(std::string_view field, DateOrder order) {
+  return field.size() <= 10 && formats::parse_calendar_ns(std::string(field) + " 00:00:00", order).has_value();
+}
+bool is_date_or_day(std::string_view field) {
+  return std::ranges::any_of(
+      kDateOrders, [&](DateOrder order) { return is_day(field, order) || formats::parse_calendar_ns(field, order); });
 }
 /// Of a table that is no prose.
 bool is_value(std::string_view field, const TableText& text) {
-  return number_of(field, text) || is_clock(field) || is_day(field) || formats::parse_calendar_ns(field);
+  return number_of(field, text) || is_clock(field) || is_date_or_day(field);
 }
 
 /// How lines look that are parted in one way.
@@ -201,19 +209,32 @@ Head head_of(std::string_view text, const Parting& parting) {
   return head;
 }
 
-double value_of(std::string_view field, const TableText& text) {
+double value_of(std::string_view field, const TableText& text, DateOrder order) {
   if (const auto number = number_of(field, text)) return *number;
   // Of a day its midnight, of a clock some day's.
-  for (const std::string& date :
-       {std::string(field), std::string(field) + " 00:00:00", "2000-01-01 " + std::string(field)})
-    if (const auto date_ns = formats::parse_calendar_ns(date)) return 1e-9 * static_cast<double>(*date_ns);
+  for (const std::string& date : {std::string(field), std::string(field) + " 00:00:00", kSomeDay + std::string(field)})
+    if (const auto date_ns =
+            formats::parse_calendar_ns(date, date.starts_with(kSomeDay) ? DateOrder::YearFirst : order))
+      return 1e-9 * static_cast<double>(*date_ns);
   return kNotANumber;
 }
 
 struct ColumnCounts {
   std::size_t numbers = 0, whole = 0, dates = 0, days = 0, clocks = 0;
+  std::array<std::size_t, 3> of_order{};  ///< dates and days
+  std::size_t points = 0;                 ///< of these, that have points between day, month and year
   std::set<std::string> texts;
 };
+
+/// What reads the most; between day and month a point leaves no doubt where both are possible.
+std::vector<DateOrder> orders_of(const ColumnCounts& counts) {
+  std::vector<DateOrder> orders;
+  const std::size_t most = std::ranges::max(counts.of_order);
+  for (std::size_t i = 0; i < kDateOrders.size(); ++i)
+    if (most > 0 && counts.of_order[i] == most) orders.push_back(kDateOrders[i]);
+  if (orders.size() == 2 && orders.front() == DateOrder::DayFirst && counts.points == most) orders.pop_back();
+  return orders;
+}
 
 void count_field(std::string_view field, const TableText& text, ColumnCounts& counts) {
   if (counts.texts.size() < kMostTexts && !field.empty()) counts.texts.emplace(shown_title(field));
@@ -222,11 +243,30 @@ void count_field(std::string_view field, const TableText& text, ColumnCounts& co
     counts.whole += formats::parse_integer(field).has_value();
   } else if (is_clock(field)) {
     ++counts.clocks;
-  } else if (is_day(field)) {
-    ++counts.days;
-  } else if (formats::parse_calendar_ns(field)) {
-    ++counts.dates;
+  } else {
+    bool day = false, date = false;
+    for (std::size_t i = 0; i < kDateOrders.size(); ++i) {
+      const bool is_one = is_day(field, kDateOrders[i]),
+                 dated = formats::parse_calendar_ns(field, kDateOrders[i]).has_value();
+      day = day || is_one, date = date || dated;
+      counts.of_order[i] += is_one || dated;
+    }
+    counts.days += day;
+    counts.dates += date && !day;
+    counts.points += (day || date) && field.find('.') < field.find_first_of("/-");
   }
+}
+
+void take_order(std::vector<DateOrder> orders, std::vector<double>& by_day, std::vector<double>& by_month,
+                SampledColumn& column) {
+  column.orders = std::move(orders);
+  if (column.orders.empty() || column.orders.front() == DateOrder::YearFirst) return;
+  by_day.resize(column.values.size(), kNotANumber), by_month.resize(column.values.size(), kNotANumber);
+  // The fifth of the fifth is one day in either order.
+  const bool alike = std::ranges::equal(by_day, by_month, [](double a, double b) { return a == b || std::isnan(a); });
+  if (column.orders.size() > 1 && alike) column.orders.pop_back();
+  if (column.orders.size() > 1) column.other_values = by_month;
+  column.values = std::move(column.orders.front() == DateOrder::DayFirst ? by_day : by_month);
 }
 
 /// The rows from the first on. @param stride of those that are kept
@@ -234,6 +274,7 @@ void take_values(std::string_view text, const Parting& parting, std::size_t firs
   const auto lines_in_all = static_cast<std::size_t>(std::ranges::count(text, '\n'));
   const std::size_t stride = 1 + lines_in_all / kSampledRows;
   std::vector<ColumnCounts> counts(parting.fields);
+  std::vector<std::vector<double>> by_day(parting.fields), by_month(parting.fields);
   std::vector<std::string_view> fields;
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
@@ -246,7 +287,13 @@ void take_values(std::string_view text, const Parting& parting, std::size_t firs
     }
     for (std::size_t i = 0; i < parting.fields; ++i) {
       count_field(fields[i], parting.text, counts[i]);
-      table.columns[i].values.push_back(value_of(fields[i], parting.text));
+      // Which order dates have all of them tell: those of a year that comes first are values at once.
+      table.columns[i].values.push_back(value_of(fields[i], parting.text, DateOrder::YearFirst));
+      if (counts[i].of_order[1] + counts[i].of_order[2] == 0) continue;
+      by_day[i].resize(table.columns[i].values.size(), kNotANumber);
+      by_month[i].resize(table.columns[i].values.size(), kNotANumber);
+      by_day[i].back() = value_of(fields[i], parting.text, DateOrder::DayFirst);
+      by_month[i].back() = value_of(fields[i], parting.text, DateOrder::MonthFirst);
     }
   }
   for (std::size_t i = 0; i < parting.fields; ++i) {
@@ -258,6 +305,8 @@ void take_values(std::string_view text, const Parting& parting, std::size_t firs
     table.columns[i].date = nearly_all(counts[i].dates);
     table.columns[i].day = nearly_all(counts[i].days);
     table.columns[i].clock = nearly_all(counts[i].clocks);
+    if (table.columns[i].date || table.columns[i].day)
+      take_order(orders_of(counts[i]), by_day[i], by_month[i], table.columns[i]);
     table.columns[i].texts.assign(counts[i].texts.begin(), counts[i].texts.end());
   }
 }
@@ -270,6 +319,10 @@ formats::ColumnRef SampledTable::ref(std::size_t column) const {
 
 std::string SampledTable::label(std::size_t column) const {
   return columns[column].title.empty() ? std::to_string(column) : columns[column].title;
+}
+
+std::string_view date_order_name(DateOrder order) {
+  return order == DateOrder::DayFirst ? "day-first" : order == DateOrder::MonthFirst ? "month-first" : "year-first";
 }
 
 double largest_size(const std::vector<double>& values) {

@@ -13,16 +13,19 @@ namespace remount::guesses {
 
 struct SampledColumn {
   std::size_t index = 0;
-  std::string title;               ///< as it stands above the column: "Lat (deg)"; empty where nothing does
-  std::string unit;                ///< of a line of units below the titles; empty where there is none
-  std::vector<double> values;      ///< NaN where the field is no number; of a date its seconds since 1970
-  bool numeric = false;            ///< nearly all are numbers
-  bool whole = false;              ///< and whole ones
-  bool varies = false;             ///< not always the same
-  bool date = false;               ///< nearly all are dates with a time of day
-  bool day = false;                ///< likewise without one
-  bool clock = false;              ///< a time of day without a date
-  std::vector<std::string> texts;  ///< what stands there, a few of them, each once
+  std::string title;           ///< as it stands above the column: "Lat (deg)"; empty where nothing does
+  std::string unit;            ///< of a line of units below the titles; empty where there is none
+  std::vector<double> values;  ///< NaN where the field is no number; of a date its seconds since 1970
+  bool numeric = false;        ///< nearly all are numbers
+  bool whole = false;          ///< and whole ones
+  bool varies = false;         ///< not always the same
+  bool date = false;           ///< nearly all are dates with a time of day
+  bool day = false;            ///< likewise without one
+  bool clock = false;          ///< a time of day without a date
+  /// Of dates and days those that read the most of them, the likeliest first; `values` are by that.
+  std::vector<formats::DateOrder> orders;
+  std::vector<double> other_values;  ///< by the second of them
+  std::vector<std::string> texts;    ///< what stands there, a few of them, each once
 };
 
 /// Rows in their order, of a long table every second, third, ...
@@ -39,6 +42,9 @@ struct SampledTable {
   /// The same for people.
   std::string label(std::size_t column) const;
 };
+
+/// "day-first": as a manifest has it.
+std::string_view date_order_name(formats::DateOrder order);
 
 /// The largest of the sizes; 0 of none.
 double largest_size(const std::vector<double>& values);

@@ -13,6 +13,7 @@
 namespace remount::guesses {
 namespace {
 
+using formats::DateOrder;
 using formats::TimeColumns;
 using formats::TimeScale;
 
@@ -112,20 +113,28 @@ class TimeReader {
     out_.push_back(std::move(reading));
   }
 
-  /// Of GPS where the name says so.
   void add_dates(std::size_t column, std::optional<std::size_t> day, std::optional<Quantity> quantity) {
+    const std::vector<DateOrder>& orders = table_.columns[day.value_or(column)].orders;
+    for (std::size_t i = 0; i < orders.size() && i < 2; ++i) add_dates(column, day, quantity, orders[i], i > 0);
+  }
+
+  /// Of GPS where the name says so. @param other by the second of two orders of day and month that are possible
+  void add_dates(std::size_t column, std::optional<std::size_t> day, std::optional<Quantity> quantity, DateOrder order,
+                 bool other) {
     TimeReading reading;
+    reading.columns.date_order = order;
+    reading.order_open = table_.columns[day.value_or(column)].orders.size() > 1;
     reading.columns.time = table_.ref(column);
     reading.columns.is_date = true;
     reading.unit = "date";
     reading.at = {column};
     reading.by_name = quantity.has_value();
     reading.unit_by_name = true;
-    reading.times_s = table_.columns[column].values;
+    reading.times_s = other && !day ? table_.columns[column].other_values : table_.columns[column].values;
     if (day) {
       reading.columns.day = table_.ref(*day);
       reading.at.push_back(*day);
-      reading.times_s = times_of_day(column, *day);
+      reading.times_s = times_of_day(column, *day, other);
     }
     const bool gps = quantity == Quantity::GpsTime;
     add(reading, gps ? 2.0 : 2.6);
@@ -136,8 +145,8 @@ class TimeReader {
   }
 
   /// The text of a day was read as its midnight, and that of a clock as one of no day.
-  std::vector<double> times_of_day(std::size_t clock, std::size_t day) const {
-    std::vector<double> times = table_.columns[day].values;
+  std::vector<double> times_of_day(std::size_t clock, std::size_t day, bool other) const {
+    std::vector<double> times = other ? table_.columns[day].other_values : table_.columns[day].values;
     for (std::size_t i = 0; i < times.size(); ++i) times[i] += std::fmod(table_.columns[clock].values[i], kDay_s);
     return times;
   }
@@ -284,6 +293,9 @@ Message scale_words(const TimeReading& reading) {
 Message alternative_of(const SampledTable& table, const TimeReading& reading, double apart_s) {
   std::vector<std::string> columns;
   for (const std::size_t column : reading.at) columns.push_back(table.label(column));
+  if (reading.order_open)
+    return say::guess_date_alternative(std::move(columns), std::string(date_order_name(reading.columns.date_order)),
+                                       Duration{apart_s});
   if (apart_s == 0.0)
     return say::guess_unit_alternative(std::move(columns), reading.unit, Duration{reading.last_s - reading.first_s});
   return say::guess_time_alternative(std::move(columns), reading.unit, scale_words(reading), Duration{apart_s});
@@ -359,6 +371,10 @@ std::optional<ChosenTime> choose_time(const SampledTable& table, const ColumnNam
   Guess guess{GuessKind::Time, {}, reading.unit, reading.by_name ? Sureness::Named : Sureness::Likely, {}, {}};
   for (const std::size_t column : reading.at) guess.columns.push_back(table.label(column));
   guess.evidence.push_back(scale_words(reading));
+  if (reading.columns.date_order != DateOrder::YearFirst)
+    guess.evidence.push_back(
+        say::guess_date_order(std::string(date_order_name(reading.columns.date_order)),
+                              reading.order_open ? say::guess_date_order_open() : say::guess_date_order_told()));
   if (!reading.unit_by_name) guess.evidence.push_back(say::guess_unit_by_size(reading.unit));
   if (!reading.by_name) guess.evidence.push_back(say::guess_time_by_going_up());
   say_alternatives(table, readings, chosen, stamps_ns, guess);

@@ -21,6 +21,7 @@ struct TimeReading {
   double weight = 0.0;  ///< by names and by how it goes; the largest first
   bool by_name = false;
   bool unit_by_name = false;
+  bool order_open = false;  ///< of a date: its numbers may be day and month in either order
 
   bool week_open() const { return columns.time_scale == formats::TimeScale::GpsWeek; }
 };

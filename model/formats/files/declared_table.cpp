@@ -50,8 +50,39 @@ std::string_view with_points(std::string_view text, const TableText& how, std::s
   return memory;
 }
 
-std::optional<std::int64_t> parse_calendar_ns(std::string_view text) {
+namespace {
+
+/// "2023-11-14 22:13" of "14.11.2023 22:13"; nothing where the year does not come last.
+std::optional<std::string> with_year_first(std::string_view text, DateOrder order) {
+  constexpr std::size_t kYearDigits = 4;
+  std::array<std::string_view, 3> parts;
+  char apart = '\0';
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t most = i == 2 ? kYearDigits : 2;
+    std::size_t digits = 0;
+    while (digits < most && digits < text.size() && is_digit(text[digits])) ++digits;
+    if (digits == 0 || (i == 2 && digits != kYearDigits)) return std::nullopt;
+    parts[i] = text.substr(0, digits);
+    text.remove_prefix(digits);
+    if (i == 2) break;
+    if (text.empty() || std::string_view("./-").find(text.front()) == std::string_view::npos) return std::nullopt;
+    if (apart != '\0' && text.front() != apart) return std::nullopt;
+    apart = text.front();
+    text.remove_prefix(1);
+  }
+  const bool day_first = order == DateOrder::DayFirst;
+  return std::string(parts[2]) + "-" + std::string(parts[day_first ? 1 : 0]) + "-" +
+         std::string(parts[day_first ? 0 : 1]) + std::string(text);
+}
+
+}  // namespace
+
+std::optional<std::int64_t> parse_calendar_ns(std::string_view text, DateOrder order) {
   text = trim(text);
+  if (order != DateOrder::YearFirst) {
+    const auto turned = with_year_first(text, order);
+    return turned ? parse_calendar_ns(*turned) : std::nullopt;
+  }
   for (const std::string_view zone : {"Z", "UTC", "+00:00", "+0000"})
     if (text.size() > zone.size() && text.ends_with(zone)) {
       text = trim(text.substr(0, text.size() - zone.size()));
@@ -132,8 +163,8 @@ double DeclaredRows::number(const ColumnRef& column) const {
 
 std::optional<std::int64_t> DeclaredRows::counted_ns(std::string_view text) const {
   if (time_.is_date) {
-    if (!time_.day) return parse_calendar_ns(text);
-    return parse_calendar_ns(std::string(field(*time_.day)) + " " + std::string(text));
+    if (!time_.day) return parse_calendar_ns(text, time_.date_order);
+    return parse_calendar_ns(std::string(field(*time_.day)) + " " + std::string(text), time_.date_order);
   }
   const auto whole_ns = parse_time_ns(text, time_.time_unit_ns);
   if (!whole_ns || !time_.nanoseconds) return whole_ns;

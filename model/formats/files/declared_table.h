@@ -34,13 +34,21 @@ enum class TimeScale {
   GpsWeek,  ///< counts from the start of a week of GPS that nothing names
 };
 
+/// What stands first in a date.
+enum class DateOrder {
+  YearFirst,
+  DayFirst,    ///< 14.11.2023, 14/11/2023
+  MonthFirst,  ///< 11/14/2023
+};
+
 /// What times count.
 struct TimeColumns {
   ColumnRef time;
   std::int64_t time_unit_ns = 1'000'000'000;  ///< nanoseconds in one unit of the time column
   TimeScale time_scale = TimeScale::Unix;
-  std::optional<ColumnRef> gps_week;     ///< the time column then counts from the start of the week
-  bool is_date = false;                  ///< the time column is a text "2023-11-14 22:13:20.5"
+  std::optional<ColumnRef> gps_week;  ///< the time column then counts from the start of the week
+  bool is_date = false;               ///< the time column is a text "2023-11-14 22:13:20.5"
+  DateOrder date_order = DateOrder::YearFirst;
   std::optional<ColumnRef> day;          ///< of such a text, where another column holds the day
   std::optional<ColumnRef> nanoseconds;  ///< beside whole seconds in the time column
   std::int64_t offset_ns = 0;            ///< added to what the columns say
@@ -55,8 +63,9 @@ void split_declared(std::string_view line, const TableText& text, std::vector<st
 std::string_view with_points(std::string_view text, const TableText& how, std::string& memory);
 
 /// "2023-11-14 22:13:20.5", "2023-11-14T22:13:20.5Z": nanoseconds of a calendar since 1970, without leap seconds.
-/// Digits behind nanoseconds are left out. Nothing where the text is no date, or of another zone than UTC.
-std::optional<std::int64_t> parse_calendar_ns(std::string_view text);
+/// Digits behind nanoseconds are left out. Nothing where the text is no date of that order, or of another zone than
+/// UTC. Where the year comes last it has four digits, and what parts it is a point, a slash or a dash.
+std::optional<std::int64_t> parse_calendar_ns(std::string_view text, DateOrder order = DateOrder::YearFirst);
 
 /// A time that stands in the name of a file: its longest number, in units of `unit_ns`. Of seconds also those with nine
 /// digits of nanoseconds apart ("1600000000_123456789").

@@ -115,7 +115,7 @@ std::int64_t read_offset_ns(const DocumentView& node) {
 }
 
 TimeColumns read_time_columns(const DocumentView& node) {
-  node.allow_only({"name", "index", "unit", "scale", "week", "day", "nanoseconds", "offset_s"});
+  node.allow_only({"name", "index", "unit", "scale", "week", "day", "order", "nanoseconds", "offset_s"});
   TimeColumns time;
   time.time = named_column(node);
   time.time_unit_ns = choice<std::int64_t>(
@@ -131,6 +131,12 @@ TimeColumns read_time_columns(const DocumentView& node) {
   const auto day = node.find("day"), nanoseconds = node.find("nanoseconds");
   if (day && !time.is_date) day->fail(say::native_day());
   if (day) time.day = read_column(*day);
+  if (const auto order = node.find("order")) {
+    if (!time.is_date) order->fail(say::native_order());
+    time.date_order = choice<DateOrder>(*order, {{"year-first", DateOrder::YearFirst},
+                                                 {"day-first", DateOrder::DayFirst},
+                                                 {"month-first", DateOrder::MonthFirst}});
+  }
   if (nanoseconds && time.time_unit_ns != 1'000'000'000) nanoseconds->fail(say::native_nanoseconds());
   if (nanoseconds) time.nanoseconds = read_column(*nanoseconds);
   time.offset_ns = read_offset_ns(node);
