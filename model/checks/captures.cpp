@@ -9,6 +9,7 @@ DataCheck capture_check() {
                     {"capture-tai", say::capture_tai_meaning, say::capture_tai_remedy},
                     {"capture-angles", say::capture_angles_meaning, say::capture_angles_remedy},
                     {"capture-missing", say::capture_missing_meaning, say::capture_missing_remedy},
+                    {"capture-index", say::capture_index_meaning, say::capture_index_remedy},
                     {"capture-repeated", say::capture_repeated_meaning, say::capture_repeated_remedy},
                     {"capture-foreign", say::capture_foreign_meaning, say::capture_foreign_remedy},
                     {"capture-other-sensors", say::capture_other_sensors_meaning, say::capture_other_sensors_remedy},

@@ -7,6 +7,7 @@
 #include "model/fleet/fleet.h"
 #include "model/formats/clouds/cloud_file.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/packets/kept_index.h"
 #include "model/formats/poses/motion_pairs_file.h"
 #include "model/formats/session_readers.h"
 #include "model/guesses/description.h"
@@ -102,6 +103,12 @@ std::string read_velodyne(const fs::path& path) {
   return results::with_beams_mended(results::read_velodyne_calibration(read_regular_file(path), path.filename()), {});
 }
 
+/// Behind its head, whose checksum would keep every change out.
+std::string read_index_body(const fs::path& path) {
+  const KeptIndex index = unpack_index(read_regular_file(path), path.string());
+  return pack_index(index.capture, index.counts, index.passed, index.sensors);
+}
+
 std::string read_settings(const fs::path& path) { return settings::settings_text(settings::load_settings(path)); }
 
 std::string read_pairs(const fs::path& path) {
@@ -160,6 +167,7 @@ const std::vector<Reader>& readers() {
       {"rosbag2-folder", "", read_session},
       {"lidar-capture", "drive.pcap", read_session},
       {"lvx", "drive.lvx", read_session},
+      {"kept-index", "capture.index", read_index_body},
       {"ouster", "", read_session},
       {"hesai", "", read_session},
       {"pcd", "scan.pcd", read_cloud},

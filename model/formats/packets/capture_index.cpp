@@ -34,15 +34,14 @@ std::shared_ptr<const PacketFile> captured_packets(std::shared_ptr<const RandomA
   return std::make_shared<CapturedPackets>(std::move(file));
 }
 
-PacketIndex index_capture(const std::filesystem::path& path, Progress& progress) {
+PacketIndex index_capture(const std::filesystem::path& path, Progress& progress, const IndexStore& store) {
   const auto file = std::make_shared<RandomAccessFile>(path);
   if (is_lvx(path)) return index_lvx(file, progress);
-  PacketIndexing indexing(path);
-  const CaptureCounts counts = visit_datagrams(
-      *file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress);
-  PacketIndex index = indexing.made(true);
+  IndexedCapture capture = index_once(path, *file, store, progress);
+  PacketIndex index = capture.indexing.made(true);
   index.file = captured_packets(file);
-  index.counts = counts;
+  index.counts = capture.counts;
+  index.remark = std::move(capture.remark);
   return index;
 }
 

@@ -6,13 +6,16 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "model/formats/packets/index_store.h"
 #include "model/formats/packets/packet_index.h"
 
 namespace remount::formats {
 
 /// Of a capture of a network, or a recording of Livox Viewer. Throws Error as visit_datagrams and index_lvx do. Where
-/// `progress` is cancelled, of what was read so far.
-PacketIndex index_capture(const std::filesystem::path& path, Progress& progress);
+/// `progress` is cancelled, of what was read so far. That of a large capture is kept, so that another opening does not
+/// read the capture (index_once).
+PacketIndex index_capture(const std::filesystem::path& path, Progress& progress,
+                          const IndexStore& store = users_index_store());
 
 /// What is captured, read again.
 std::shared_ptr<const PacketFile> captured_packets(std::shared_ptr<const RandomAccessFile> file);

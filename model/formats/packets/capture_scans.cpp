@@ -194,6 +194,8 @@ std::shared_ptr<const PacketScanSource> take_scans(PacketIndex& index, std::size
   SensorPackets packets = std::move(index.sensors[sensor]);
   const std::string file = index.file->name().string(), where = file + ": " + name_of(packets);
   report_counts(index.counts, file, session.findings);
+  if (!index.remark.empty())
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-index", file, index.remark));
   packets.foreign += settle_second_parts(packets.packets);
   report_unused(packets, where, session.findings);
   for (const std::filesystem::path& beside : packets.decoder->files_beside()) session.files.push_back(beside);

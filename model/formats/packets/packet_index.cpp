@@ -65,19 +65,22 @@ PacketIndexing::PacketIndexing(std::filesystem::path recording, SaidInRecording 
     : recording_(std::move(recording)), name_(recording_.string()), said_(std::move(said)) {}
 
 void PacketIndexing::take(const Datagram& datagram) {
-  const auto found = routes_.find(datagram.route);
-  if (found == routes_.end() && routes_.size() == kMostRoutes) return;
-  Route& route = found == routes_.end() ? routes_[datagram.route] : found->second;
-  if (!route.sensor.decoder && !recognise(datagram, route)) {
-    ++route.others;
-    return;
+  const auto found = passed_.routes.find(datagram.route);
+  if (found == passed_.routes.end() && passed_.routes.size() == kMostRoutes) return;
+  RoutePackets& route = found == passed_.routes.end() ? passed_.routes[datagram.route] : found->second;
+  if (!route.sensor.decoder) {
+    const bool tried = route.given_up || route.others >= kMostTries;
+    if (take_position(datagram, route) || tried || !recognise(datagram, route)) {
+      ++route.others;
+      return;
+    }
   }
   add_packet(datagram, route);
 }
 
 PacketIndex PacketIndexing::made(bool whole) {
   PacketIndex index;
-  for (auto& [key, route] : routes_) {
+  for (auto& [key, route] : passed_.routes) {
     if (whole && route.sensor.decoder) describe(key, route);
     if (route.sensor.decoder && !route.sensor.packets.empty())
       index.sensors.push_back(std::move(route.sensor));
@@ -89,13 +92,13 @@ PacketIndex PacketIndexing::made(bool whole) {
     else if (route.others > 0 || route.positions)
       index.others.emplace_back(key, route.others);
   }
-  index.receivers = std::move(receivers_);
+  index.receivers = std::move(passed_.receivers);
   return index;
 }
 
-void PacketIndexing::describe(const DatagramRoute& key, Route& route) {
+void PacketIndexing::describe(const DatagramRoute& key, RoutePackets& route) {
   std::vector<std::string> descriptions;
-  for (const PositionPacket& packet : descriptions_[key.address]) descriptions.push_back(packet.description);
+  for (const PositionPacket& packet : passed_.descriptions[key.address]) descriptions.push_back(packet.description);
   try {
     route.sensor.decoder->describe(descriptions, name_ + ": " + to_string(key));
   } catch (const Error& error) {
@@ -104,34 +107,47 @@ void PacketIndexing::describe(const DatagramRoute& key, Route& route) {
   }
 }
 
-bool PacketIndexing::recognise(const Datagram& datagram, Route& route) {
-  if (take_position(datagram, route) || route.given_up || route.others >= kMostTries) return false;
+void PacketIndexing::take_up(PassedPackets passed,
+                             const std::function<std::string(const RoutePackets& route)>& payload_of) {
+  passed_ = std::move(passed);
+  for (auto& [key, route] : passed_.routes) {
+    if (route.told_by.empty()) continue;
+    const std::string payload = payload_of(route);
+    Datagram datagram;
+    datagram.route = key, datagram.payload = payload, datagram.pieces = route.told_by;
+    route.given_up = false;
+    recognise(datagram, route);
+  }
+}
+
+bool PacketIndexing::recognise(const Datagram& datagram, RoutePackets& route) {
   const std::string where = name_ + ": " + to_string(datagram.route);
   for (const PacketFormat& format : packet_formats()) try {
       std::unique_ptr<PacketDecoder> decoder = format.recognise(datagram.payload, where);
       if (!decoder) continue;
       route.given_up = true;
+      route.told_by = datagram.pieces;
       const std::span<const SaidOfSensors> said = said_ ? std::span(*said_) : std::span<const SaidOfSensors>();
       decoder->look_beside({recording_, datagram.route, said}, datagram.payload, where);
       route.sensor.decoder = std::move(decoder);
       route.sensor.route = datagram.route;
       return true;
     } catch (const Error& error) {
-      if (!route.refused) route.refused = error;
+      if (!route.refused) route.refused = error, route.told_by = datagram.pieces;
     }
   return false;
 }
 
-bool PacketIndexing::take_position(const Datagram& datagram, Route& route) {
+bool PacketIndexing::take_position(const Datagram& datagram, RoutePackets& route) {
   const auto position = read_position(datagram.payload);
   if (!position) return false;
-  SensorReceiver& receiver = receivers_[datagram.route.address];
+  SensorReceiver& receiver = passed_.receivers[datagram.route.address];
   receiver.states.push_back({datagram.time_ns, position->clock_locked});
   if (!position->sentences.empty() && position->sentences != last_sentences_[datagram.route.address]) {
     receiver.sentences += position->sentences;
     last_sentences_[datagram.route.address] = position->sentences;
   }
-  if (!position->description.empty()) take_description(*position, descriptions_[datagram.route.address]);
+  if (!position->description.empty()) take_description(*position, passed_.descriptions[datagram.route.address]);
   route.positions = true;
   return true;
 }
@@ -140,13 +156,13 @@ bool PacketIndexing::take_position(const Datagram& datagram, Route& route) {
 /// and where that changes.
 void PacketIndexing::take_clock(const Datagram& datagram, bool follows) {
   constexpr std::int64_t kApart_ns = 1'000'000'000;
-  std::vector<SensorReceiver::State>& states = receivers_[datagram.route.address].states;
+  std::vector<SensorReceiver::State>& states = passed_.receivers[datagram.route.address].states;
   if (states.empty() || states.back().clock_locked != follows ||
       std::abs(datagram.time_ns - states.back().host_ns) >= kApart_ns)
     states.push_back({datagram.time_ns, follows});
 }
 
-void PacketIndexing::add_packet(const Datagram& datagram, Route& route) {
+void PacketIndexing::add_packet(const Datagram& datagram, RoutePackets& route) {
   SensorPackets& sensor = route.sensor;
   const std::optional<PacketGlance> glance = sensor.decoder->glance(datagram.payload);
   if (!glance) {

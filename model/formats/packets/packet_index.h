@@ -2,7 +2,7 @@
 // for. What a recording is (a capture of a network, topics of a bag) is known to those who hand the packets on, and to
 // the PacketFile that reads them again.
 //
-// A value: an index that was kept beside the cache would take the place of the pass.
+// What a pass found is a value (PassedPackets): one that was kept takes the place of the pass (kept_index.h).
 #pragma once
 
 #include <functional>
@@ -29,6 +29,7 @@ struct IndexedPacket {
   std::uint16_t pieces = 1;
   std::uint16_t clock_period_s = 0;            ///< see PacketGlance
   SecondPart second_part = SecondPart::Known;  ///< see PacketGlance
+  friend bool operator==(const IndexedPacket&, const IndexedPacket&) = default;
 };
 
 /// What a glance tells of a packet of so many bytes; when it was captured and where it stands come to it.
@@ -72,6 +73,24 @@ class PacketFile {
                     const std::function<void(std::size_t packet, std::string payload)>& take) const = 0;
 };
 
+/// What came from one place, to one port.
+struct RoutePackets {
+  SensorPackets sensor;
+  std::vector<DatagramPiece> told_by;  ///< the packet by which the sensor was recognised or, so far, refused
+  std::size_t others = 0;              ///< datagrams before that
+  bool positions = false;
+  bool given_up = false;  ///< what lies beside the recording does not change
+  std::optional<Error> refused;
+};
+
+/// All that one pass through a recording finds.
+struct PassedPackets {
+  std::map<DatagramRoute, RoutePackets> routes;
+  std::map<std::uint32_t, SensorReceiver> receivers;  ///< by the address of the sensor
+  /// Likewise. Of those that have the same lasting part the first.
+  std::map<std::uint32_t, std::vector<PositionPacket>> descriptions;
+};
+
 struct PacketIndex {
   std::shared_ptr<const PacketFile> file;
   CaptureCounts counts;
@@ -79,6 +98,7 @@ struct PacketIndex {
   std::map<std::uint32_t, SensorReceiver> receivers;          ///< by the address of the sensor
   std::vector<std::pair<DatagramRoute, std::size_t>> others;  ///< routes of other datagrams, and how many these are
   std::vector<Error> refused;                                 ///< sensors of a known make that are not decoded
+  Message remark;  ///< on the index that is kept of the recording; empty: there is nothing to say
 };
 
 /// Which sensor a packet of points is of.
@@ -98,32 +118,26 @@ class PacketIndexing {
   explicit PacketIndexing(std::filesystem::path recording, SaidInRecording said = nullptr);
 
   void take(const Datagram& datagram);
+  /// What was found so far; of no use once it is made().
+  const PassedPackets& passed() const { return passed_; }
+  /// As if all that was passed before had been taken, which has packets and no decoders. Sensors are recognised anew by
+  /// `payload_of(route)`, for what lies beside the recording may be another by now.
+  void take_up(PassedPackets passed, const std::function<std::string(const RoutePackets& route)>& payload_of);
   /// @param whole all of the recording has been seen: a sensor that has not described itself will not
   PacketIndex made(bool whole);
 
  private:
-  struct Route {
-    SensorPackets sensor;
-    std::size_t others = 0;
-    bool positions = false;
-    bool given_up = false;  ///< what lies beside the recording does not change
-    std::optional<Error> refused;
-  };
-
-  void describe(const DatagramRoute& key, Route& route);
-  bool recognise(const Datagram& datagram, Route& route);
-  bool take_position(const Datagram& datagram, Route& route);
+  bool recognise(const Datagram& datagram, RoutePackets& route);
+  bool take_position(const Datagram& datagram, RoutePackets& route);
   void take_clock(const Datagram& datagram, bool follows);
-  void add_packet(const Datagram& datagram, Route& route);
+  void add_packet(const Datagram& datagram, RoutePackets& route);
+  void describe(const DatagramRoute& key, RoutePackets& route);
 
   std::filesystem::path recording_;
   std::string name_;
   SaidInRecording said_;
-  std::map<DatagramRoute, Route> routes_;
-  std::map<std::uint32_t, SensorReceiver> receivers_;
+  PassedPackets passed_;
   std::map<std::uint32_t, std::string> last_sentences_;  ///< by the address of the sensor
-  /// By the address of the sensor. Of those that have the same lasting part the first.
-  std::map<std::uint32_t, std::vector<PositionPacket>> descriptions_;
 };
 
 }  // namespace remount::formats

@@ -1,6 +1,7 @@
 #include "tests/model/formats/sample_captures.h"
 
 #include "model/formats/files/input_file.h"
+#include "model/formats/packets/kept_index.h"
 #include "tests/fuzz/readers.h"
 #include "tests/model/formats/bags/packet_bags.h"
 #include "tests/model/formats/packets/capture_bytes.h"
@@ -23,6 +24,18 @@ std::vector<TimedFrame> captured_velodyne() {
   frames.push_back({kBegins_ns + 2, ethernet(ipv4(datagram.substr(0, 800), {.id = 3}, 0, true), {0x8100})});
   frames.push_back({kBegins_ns + 3, ethernet(ipv4(datagram.substr(800), {.id = 3}, 800))});
   return frames;
+}
+
+/// What is kept of it, behind the head.
+std::string kept_of_velodyne() {
+  const TemporaryFolder folder;
+  const RandomAccessFile file(folder.write("drive.pcap", pcap(captured_velodyne())));
+  PacketIndexing indexing("drive.pcap");
+  Progress progress;
+  const CaptureCounts counts = visit_datagrams(
+      file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress);
+  const PassedPackets& passed = indexing.passed();
+  return pack_index({"drive.pcap", file.size(), 1}, counts, passed, known_sensors(passed));
 }
 
 std::string captured_pcapng() {
@@ -91,6 +104,7 @@ std::string bag_of_packets(std::unique_ptr<bags::BagWriter> (*make)(const std::f
 
 std::vector<Sample> captured_samples() {
   std::vector<Sample> samples{{"lidar-capture", "pcap", pcap(captured_velodyne())},
+                              {"kept-index", "velodyne", kept_of_velodyne()},
                               {"lidar-capture", "pcapng", captured_pcapng()},
                               {"ouster", "legacy", captured_ouster("LEGACY", true)},
                               {"ouster", "dual", captured_ouster("RNG19_RFL8_SIG16_NIR16_DUAL", false)},
