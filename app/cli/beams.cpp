@@ -11,7 +11,7 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
 #include "model/results/beam_file.h"
-#include "model/results/velodyne_calibration.h"
+#include "model/results/velodyne_mending.h"
 
 namespace remount::cli {
 namespace {
@@ -22,8 +22,8 @@ struct BeamsArguments {
 
 constexpr std::uint64_t kMostFactoryBytes = std::uint64_t{4} << 20U;
 
-results::VelodyneCalibration load_factory(const std::string& path) {
-  return results::read_velodyne_calibration(formats::read_regular_file(path, kMostFactoryBytes), path);
+formats::VelodyneCalibration load_factory(const std::string& path) {
+  return formats::read_velodyne_calibration(formats::read_regular_file(path, kMostFactoryBytes), path);
 }
 
 // A slip of the hand must cost neither the factory's file nor anything else.
@@ -49,7 +49,7 @@ cloud::BeamEstimate load_corrections(const BeamsArguments& arguments) {
 int mend_factory(const BeamsArguments& arguments, Console& console) {
   const cloud::BeamEstimate beams = load_corrections(arguments);
   if (beams.nodes.by_azimuth()) throw Error(ErrorCode::Contract, arguments.corrections, say::cli_beams_of_one_way());
-  const results::VelodyneCalibration factory = load_factory(arguments.factory);
+  const formats::VelodyneCalibration factory = load_factory(arguments.factory);
   check_output(arguments);
   formats::save_atomically(arguments.output, results::with_beams_mended(factory, beams.beam_errors()));
   console.print(say::cli_beams_written(arguments.output, factory.lasers.size()));

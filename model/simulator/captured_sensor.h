@@ -34,6 +34,7 @@ struct CapturedSensor {
 };
 
 extern const CapturedSensor kPuck;          ///< a VLP-16 of Velodyne
+extern const CapturedSensor kHdl64;         ///< an HDL-64E of Velodyne, with its calibration
 extern const CapturedSensor kOusterHead;    ///< an OS1 with 32 beams, whose clock follows PTP
 extern const CapturedSensor kHesaiSpinner;  ///< a PandarXT-32, whose clock has the date
 extern const CapturedSensor kHelios;        ///< an RS-Helios of RoboSense

@@ -107,6 +107,7 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"rosbag2-hesai", "ros-bag", write_packets<kHesaiSpinner, kRosbag2>},
       {"mcap-robosense", "ros-bag", write_packets<kHelios, kMcap>},
       {"velodyne", "lidar-capture", write_sensor<kPuck>},
+      {"velodyne-hdl64", "lidar-capture", write_sensor<kHdl64>},
       {"ouster", "lidar-capture", write_sensor<kOusterHead>},
       {"hesai", "lidar-capture", write_sensor<kHesaiSpinner>},
       {"livox", "lidar-capture", write_livox_drive},

@@ -16,7 +16,7 @@
 #include "model/project/project.h"
 #include "model/results/beam_file.h"
 #include "model/results/exporters/exporter.h"
-#include "model/results/velodyne_calibration.h"
+#include "model/results/velodyne_mending.h"
 #include "model/settings/settings_file.h"
 
 namespace remount::formats {
@@ -100,7 +100,7 @@ std::string read_beams(const fs::path& path) { return to_yaml(results::beams_doc
 
 /// As it is corrected by nothing, which rounds the numbers of it.
 std::string read_velodyne(const fs::path& path) {
-  return results::with_beams_mended(results::read_velodyne_calibration(read_regular_file(path), path.filename()), {});
+  return results::with_beams_mended(read_velodyne_calibration(read_regular_file(path), path.filename()), {});
 }
 
 /// Behind its head, whose checksum would keep every change out.
@@ -170,6 +170,7 @@ const std::vector<Reader>& readers() {
       {"kept-index", "capture.index", read_index_body},
       {"ouster", "", read_session},
       {"hesai", "", read_session},
+      {"hdl64", "", read_session},
       {"pcd", "scan.pcd", read_cloud},
       {"ply", "scan.ply", read_cloud},
       {"las", "scan.las", read_cloud},

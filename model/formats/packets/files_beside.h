@@ -1,6 +1,7 @@
 // What lies beside packets (files; in a bag topics, too) to tell what packets do not say of their sensors.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -71,6 +72,33 @@ auto read_files_beside(const BesidePackets& beside, std::string_view ending, std
       files.broken.push_back({said.topic, error});
     }
   return files;
+}
+
+/// How well a file's name says that it is of this sensor: by its address, or else as that of the recording.
+inline int rank_of_name(const std::filesystem::path& file, const BesidePackets& beside) {
+  return 2 * rank_of_address(file, beside) + (file.stem() == beside.recording.stem() ? 1 : 0);
+}
+
+/// What the file for this sensor is to be called, but for its ending, where one of such a rank was found.
+inline std::string wanted_name(const BesidePackets& beside, int rank) {
+  return rank > 1 ? address_text(beside.route) : beside.recording.stem().string();
+}
+
+/// Of those whose names say it best; they have to say the same (`same_as`). Throws what a broken one threw whose name
+/// says it better, and `differ(one, other, name to be given)` where they do not.
+template <class Found, class Differ>
+std::optional<Found> choose_beside(FilesBeside<Found> files, const BesidePackets& beside, const Differ& differ) {
+  int best = -1;
+  for (const Found& found : files.found) best = std::max(best, rank_of_name(found.file, beside));
+  for (const auto& broken : files.broken)
+    if (rank_of_name(broken.file, beside) > best) throw broken.error;
+  if (files.found.empty()) return std::nullopt;
+  std::erase_if(files.found, [&](const Found& found) { return rank_of_name(found.file, beside) < best; });
+  const Found& first = files.found.front();
+  for (const Found& found : files.found)
+    if (!found.same_as(first))
+      throw differ(first.file, found.file, wanted_name(beside, best) + first.file.extension().string());
+  return first;
 }
 
 }  // namespace remount::formats

@@ -30,28 +30,12 @@ double checked_angle(double angle_deg, double most_deg, const std::string& where
   return angle_deg;
 }
 
-/// How well a file's name says that it is of this sensor: by its address, or else as that of the recording.
-int rank_of_name(const fs::path& file, const BesidePackets& beside) {
-  return 2 * rank_of_address(file, beside) + (file.stem() == beside.recording.stem() ? 1 : 0);
-}
-
-/// Of those whose names say it best; they have to say the same.
 template <class Angles>
 std::optional<Angles> choose_angles(FilesBeside<Angles> files, const BesidePackets& beside, const std::string& where) {
-  int best = -1;
-  for (const Angles& angles : files.found) best = std::max(best, rank_of_name(angles.file, beside));
-  for (const auto& broken : files.broken)
-    if (rank_of_name(broken.file, beside) > best) throw broken.error;
-  if (files.found.empty()) return std::nullopt;
-  std::erase_if(files.found, [&](const Angles& angles) { return rank_of_name(angles.file, beside) < best; });
-  const Angles& first = files.found.front();
-  const std::string wanted = best > 1 ? address_text(beside.route) : beside.recording.stem().string();
-  for (const Angles& angles : files.found)
-    if (!angles.same_as(first))
-      throw Error(ErrorCode::Unsupported, where,
-                  say::capture_hesai_several(name_beside(first.file), name_beside(angles.file),
-                                             wanted + first.file.extension().string()));
-  return first;
+  return choose_beside(std::move(files), beside, [&](const fs::path& one, const fs::path& other, std::string name) {
+    return Error(ErrorCode::Unsupported, where,
+                 say::capture_hesai_several(name_beside(one), name_beside(other), std::move(name)));
+  });
 }
 
 /// Parses what may be of this sensor: a file with another one's address is not, whatever is in it.

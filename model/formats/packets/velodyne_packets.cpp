@@ -1,31 +1,20 @@
 // Velodyne: data packets of 1206 bytes, position packets of 512 (554 with the headers of the network).
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "algorithms/core/error.h"
-#include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
-#include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/beam_rings.h"
 #include "model/formats/packets/packet_decoder.h"
+#include "model/formats/packets/velodyne_blocks.h"
 #include "model/formats/packets/velodyne_models.h"
 
 namespace remount::formats {
 
 namespace {
 
-constexpr std::size_t kDataBytes = 1206, kBlocks = 12, kBlockBytes = 100, kReturns = 32, kReturnBytes = 3;
-constexpr std::size_t kStampAt = 1200, kModeAt = 1204, kProductAt = 1205;
-constexpr std::uint32_t kTurn = 36000;  // hundredths of a degree
-constexpr std::uint16_t kHour_s = 3600;
-
-std::uint16_t flag_of(std::string_view payload, std::size_t block) {
-  return little_number<std::uint16_t>(payload, block * kBlockBytes);
-}
-/// Blocks say which 32 lasers they are of: 0xEEFF, 0xDDFF, 0xCCFF, 0xBBFF.
-constexpr std::uint16_t flag_of_bank(std::size_t bank) { return static_cast<std::uint16_t>(0xeeff - 0x1100 * bank); }
+constexpr std::size_t kModeAt = 1204, kProductAt = 1205;
 
 /// How the returns of one packet are laid out. Of two returns the blocks follow each other: the last, the strongest.
 struct Layout {
@@ -100,21 +89,13 @@ std::optional<Layout> VelodyneDecoder::layout_of(std::string_view payload) const
   return layout;
 }
 
-/// Hundredths of a degree in a microsecond, by all blocks: what is rounded in each matters least then. A sensor that
-/// looks at a part of the turn leaves the rest out between two of them.
+/// Hundredths of a degree in a microsecond.
 double VelodyneDecoder::azimuth_per_us(std::string_view payload, const Layout& layout, double otherwise) const {
-  std::vector<std::uint32_t> steps;
-  std::uint32_t before = 0;
-  for (std::size_t column = 0; column < layout.columns; column += layout.columns_in_block) {
-    const std::uint32_t azimuth = little_number<std::uint16_t>(payload, layout.block(column, 0, 0) * kBlockBytes + 2);
-    if (column > 0) steps.push_back((azimuth + kTurn - before) % kTurn);
-    before = azimuth;
-  }
-  if (steps.empty()) return otherwise;
-  const std::uint32_t most = 2 * median_of(steps);
-  std::erase_if(steps, [&](std::uint32_t step) { return step > most; });
-  const double turned = std::accumulate(steps.begin(), steps.end(), 0.0);
-  return turned / (static_cast<double>(steps.size() * layout.columns_in_block) * column_us_);
+  std::vector<std::uint16_t> azimuths;
+  for (std::size_t column = 0; column < layout.columns; column += layout.columns_in_block)
+    azimuths.push_back(azimuth_of(payload, layout.block(column, 0, 0)));
+  const std::optional<double> step = mean_step(azimuths);
+  return step ? *step / (static_cast<double>(layout.columns_in_block) * column_us_) : otherwise;
 }
 
 /// In hundredths of a degree, [0, kTurn).
@@ -191,8 +172,7 @@ void VelodyneDecoder::tune(const PacketSequence& packets, const std::string&) {
 
 std::unique_ptr<PacketDecoder> recognise_velodyne(std::string_view payload, const std::string& where) {
   if (payload.size() != kDataBytes || flag_of(payload, 0) != flag_of_bank(0)) return nullptr;
-  const bool upper_and_lower = flag_of(payload, 1) == flag_of_bank(1) && flag_of(payload, 2) == flag_of_bank(0);
-  if (upper_and_lower) throw Error(ErrorCode::Unsupported, where, say::capture_hdl64());
+  if (is_hdl64(payload)) return make_hdl64_decoder();
   const std::uint8_t product = byte_at(payload, kProductAt);
   const VelodyneModel* model = velodyne_model(product);
   if (model == nullptr) throw Error(ErrorCode::Unsupported, where, say::capture_velodyne_product(product));

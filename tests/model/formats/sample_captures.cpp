@@ -5,6 +5,7 @@
 #include "tests/fuzz/readers.h"
 #include "tests/model/formats/bags/packet_bags.h"
 #include "tests/model/formats/packets/capture_bytes.h"
+#include "tests/model/formats/packets/hdl64_calibration.h"
 #include "tests/model/formats/packets/hesai_bytes.h"
 #include "tests/model/formats/packets/ouster_bytes.h"
 #include "tests/model/formats/packets/robosense_bytes.h"
@@ -24,6 +25,26 @@ std::vector<TimedFrame> captured_velodyne() {
   frames.push_back({kBegins_ns + 2, ethernet(ipv4(datagram.substr(0, 800), {.id = 3}, 0, true), {0x8100})});
   frames.push_back({kBegins_ns + 3, ethernet(ipv4(datagram.substr(800), {.id = 3}, 800))});
   return frames;
+}
+
+/// A few packets of an HDL-64E with its calibration.
+std::string captured_hdl64(bool yaml) {
+  constexpr std::int64_t kBegins_ns = 1'700'000'000'000'000'000;
+  std::vector<TimedFrame> frames;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    VelodynePacket packet;
+    packet.mode = 'V', packet.product = 0x48, packet.stamp_us = 800'000'000 + 288 * i;
+    for (std::size_t block = 0; block < 12; ++block) {
+      packet.flags[block] = block % 2 == 0 ? 0xeeff : 0xddff;
+      packet.azimuths.push_back(static_cast<std::uint16_t>(100 * i + 17 * (block / 2)));
+    }
+    frames.push_back({kBegins_ns + 288'000 * i, ethernet_udp(packet.bytes())});
+  }
+  const Hdl64Lasers lasers = [](int laser) {
+    return Hdl64Laser{0.5, 2.0 - 0.375 * laser, 120.0, 125.0, 124.0, 20.0, 2.5};
+  };
+  return pack_files({{yaml ? "drive.yaml" : "drive.xml", yaml ? hdl64_yaml(lasers) : hdl64_xml(lasers)},
+                     {"drive.pcap", pcap(frames)}});
 }
 
 /// What is kept of it, behind the head.
@@ -116,6 +137,7 @@ std::vector<Sample> captured_samples() {
                                      {"pandar128", HesaiPacket::pandar128()},
                                      {"at128", HesaiPacket::at128()}})
     samples.push_back({"hesai", name, captured_hesai(packet)});
+  for (const bool yaml : {false, true}) samples.push_back({"hdl64", yaml ? "yaml" : "xml", captured_hdl64(yaml)});
   return samples;
 }
 

@@ -147,7 +147,7 @@ TEST(velodyne_packets, what_is_not_decoded_is_named) {
   packet.product = 0x23;
   EXPECT_ERROR(decoder_of(packet.bytes()), "product number 35");
   for (std::size_t b = 1; b < 12; b += 2) packet.flags[b] = 0xddff;
-  EXPECT_ERROR(decoder_of(packet.bytes()), "HDL-64E");
+  EXPECT_EQ(decoder_of(packet.bytes())->model(), "HDL-64E") << "whatever its status says";
   EXPECT_EQ(decoder_of(std::string(1206, '\0')), nullptr);
   EXPECT_EQ(decoder_of("short"), nullptr);
 

@@ -1,4 +1,4 @@
-// The calibration file by which drivers of Velodyne's LiDARs make points of what these measure, with corrections added.
+// The calibration file by which drivers of Velodyne's LiDARs make points of what these measure.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "algorithms/cloud/beam_errors.h"
-
-namespace remount::results {
+namespace remount::formats {
 
 /// A number where it stands in a text.
 struct NumberInText {
@@ -16,24 +14,28 @@ struct NumberInText {
   double value = 0.0;  ///< in the units of its file
 };
 
-struct VelodyneLaser {
+struct CalibratedLaser {
   NumberInText elevation;  ///< up is positive
   /// What is added to its ranges: everywhere, and, where the file has these too, near along x and y.
   std::vector<NumberInText> distances;
+
+  std::size_t id = 0;  ///< in a packet, the upper block's first
+  /// In the units of the file: what is taken off the head's azimuth, and where the beam begins.
+  double azimuth = 0.0, height = 0.0, aside = 0.0;
+  /// What is added to ranges where they are short along x and y, instead of the first of `distances`.
+  double near_x = 0.0, near_y = 0.0;
+  bool two_points = false;  ///< these are to be used
 };
 
 struct VelodyneCalibration {
   std::string text;
   double elevation_unit_rad = 1.0, distance_unit_m = 1.0;
-  std::vector<VelodyneLaser> lasers;  ///< those that are in use, in the order of the file
+  double range_unit_m = 0.002;          ///< of what packets have
+  std::vector<CalibratedLaser> lasers;  ///< those that are in use, in the order of the file
 };
 
 /// "db.xml" as the maker delivers it (degrees, cm), or the YAML that ROS drivers make of it (rad, m). Throws
 /// Error(Format) with file, line and what was expected.
 VelodyneCalibration read_velodyne_calibration(std::string text, const std::string& where);
 
-/// The same text but for elevations and distances, each with what is to be added to it at its elevation. The scale of
-/// ranges has no place in it.
-std::string with_beams_mended(const VelodyneCalibration& calibration, const cloud::BeamErrors& errors);
-
-}  // namespace remount::results
+}  // namespace remount::formats

@@ -1,4 +1,4 @@
-#include "model/results/velodyne_calibration.h"
+#include "model/formats/packets/velodyne_calibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,18 +6,16 @@
 #include <optional>
 #include <utility>
 
-#include "algorithms/cloud/point_cloud.h"
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
-#include "messages/results.h"
+#include "messages/captures.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/files/number_text.h"
 
-namespace remount::results {
+namespace remount::formats {
 namespace {
 
-constexpr std::size_t kMostLasers = 256;
+constexpr std::size_t kMostCalibrated = 256;
 
 // With the name under which it is known in errors.
 struct FactoryText {
@@ -29,11 +27,11 @@ struct FactoryText {
                    text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n'));
   }
   [[noreturn]] void fail(std::size_t at, const Message& what) const {
-    throw Error(ErrorCode::Format, formats::at_line(where, line_at(at)), what);
+    throw Error(ErrorCode::Format, at_line(where, line_at(at)), what);
   }
   NumberInText number(std::string_view name, std::size_t begin, std::size_t end) const {
-    const std::string_view shown = formats::trim(text.substr(begin, end - begin));
-    const double value = formats::require_number(shown, name, where, line_at(begin));
+    const std::string_view shown = trim(text.substr(begin, end - begin));
+    const double value = require_number(shown, name, where, line_at(begin));
     return {static_cast<std::size_t>(shown.data() - text.data()), shown.size(), value};
   }
 };
@@ -55,7 +53,7 @@ class XmlWalk {
       const std::size_t end = end_of(at, ">");
       std::string_view tag = file_.text.substr(at + 1, end - at - 2);
       if (tag.starts_with('/')) {
-        tag = formats::trim(tag.substr(1));
+        tag = trim(tag.substr(1));
         if (path_.empty() || path_.back().name != tag)
           file_.fail(at, say::xml_closes_none(std::string(tag.substr(0, 40))));
         close(path_, at);
@@ -97,9 +95,15 @@ class XmlWalk {
   std::vector<Element> path_;
 };
 
+constexpr double kFarthest_m = 10.0;
+
+double sensible(const FactoryText& file, std::size_t at, double value, double most, const char* name) {
+  if (!(std::abs(value) <= most)) file.fail(at, say::velodyne_number_outside(name, value, -most, most));
+  return value;
+}
+
 // What bounds a LiDAR: beyond it another unit was meant.
-void require_sensible(const FactoryText& file, const VelodyneCalibration& calibration, const VelodyneLaser& laser) {
-  constexpr double kFarthest_m = 10.0;
+void require_sensible(const FactoryText& file, const VelodyneCalibration& calibration, const CalibratedLaser& laser) {
   if (std::abs(laser.elevation.value) * calibration.elevation_unit_rad > kPi / 2.0)
     file.fail(laser.elevation.begin,
               say::velodyne_elevation_outside(Angle{laser.elevation.value * calibration.elevation_unit_rad}));
@@ -110,7 +114,7 @@ void require_sensible(const FactoryText& file, const VelodyneCalibration& calibr
 }
 
 // A distance near along x or y that is 0 is none.
-void add_distance(const NumberInText& distance, VelodyneLaser& laser) {
+void add_distance(const NumberInText& distance, CalibratedLaser& laser) {
   if (laser.distances.empty() || distance.value != 0.0) laser.distances.push_back(distance);
 }
 
@@ -121,6 +125,8 @@ class XmlLasers {
  public:
   explicit XmlLasers(const FactoryText& file) : file_(file) {}
 
+  /// Of ranges; 0: the file does not say.
+  double unit_cm() const { return unit_cm_; }
   void open(const std::vector<XmlWalk::Element>& path) {
     if (path.back().name == "px") fields_.clear();
   }
@@ -128,12 +134,14 @@ class XmlLasers {
     const XmlWalk::Element& element = path.back();
     const std::string_view parent = path.size() > 1 ? path[path.size() - 2].name : std::string_view();
     if (element.name == "px") add(element.begin);
+    if (element.name == "distLSB_" && parent == "DB")
+      unit_cm_ = file_.number(element.name, element.contents, end).value;
     if (parent == "px") fields_[element.name] = {element.contents, end};
     if (parent == "enabled_" && element.name == "item")
       in_use_.push_back(file_.number(element.name, element.contents, end).value != 0.0);
   }
-  std::vector<VelodyneLaser> taken() const {
-    std::vector<VelodyneLaser> lasers;
+  std::vector<CalibratedLaser> taken() const {
+    std::vector<CalibratedLaser> lasers;
     for (const auto& [id, laser] : lasers_)
       if (in_use_.empty() || (id < static_cast<double>(in_use_.size()) && in_use_[static_cast<std::size_t>(id)]))
         lasers.push_back(laser);
@@ -147,21 +155,30 @@ class XmlLasers {
     return file_.number(name, found->second.first, found->second.second);
   }
   void add(std::size_t at) {
-    VelodyneLaser laser;
+    CalibratedLaser laser;
     const double id = field("id_", at).value;
-    if (id < 0.0 || id >= static_cast<double>(kMostLasers)) file_.fail(at, say::velodyne_laser_id(id, kMostLasers - 1));
+    if (id < 0.0 || id >= static_cast<double>(kMostCalibrated))
+      file_.fail(at, say::velodyne_laser_id(id, kMostCalibrated - 1));
+    laser.id = static_cast<std::size_t>(id);
     laser.elevation = field("vertCorrection_", at);
     add_distance(field("distCorrection_", at), laser);
     for (const std::string_view near : kNearDistances)
       if (fields_.contains(near)) add_distance(field(near, at), laser);
-    if (lasers_.size() == kMostLasers) file_.fail(at, say::velodyne_too_many(kMostLasers));
+    const auto number = [&](std::string_view name) { return fields_.contains(name) ? field(name, at).value : 0.0; };
+    laser.azimuth = sensible(file_, at, number("rotCorrection_"), 360.0, "rotCorrection_");
+    laser.height = sensible(file_, at, number("vertOffsetCorrection_"), 100.0 * kFarthest_m, "vertOffsetCorrection_");
+    laser.aside = sensible(file_, at, number("horizOffsetCorrection_"), 100.0 * kFarthest_m, "horizOffsetCorrection_");
+    laser.near_x = number(kNearDistances[0]), laser.near_y = number(kNearDistances[1]);
+    laser.two_points = laser.near_x != 0.0 || laser.near_y != 0.0;
+    if (lasers_.size() == kMostCalibrated) file_.fail(at, say::velodyne_too_many(kMostCalibrated));
     lasers_.emplace_back(id, std::move(laser));
   }
 
   const FactoryText& file_;
   std::map<std::string_view, std::pair<std::size_t, std::size_t>> fields_;  // of the laser that is read
-  std::vector<std::pair<double, VelodyneLaser>> lasers_;
+  std::vector<std::pair<double, CalibratedLaser>> lasers_;
   std::vector<bool> in_use_;
+  double unit_cm_ = 0.0;
 };
 
 // Where the numbers of a key stand in a text of YAML, one after another. What was parsed says whether they are these.
@@ -169,7 +186,7 @@ class NumbersOfKey {
  public:
   NumbersOfKey(const FactoryText& file, std::string_view key) : file_(file), key_(key) {}
 
-  NumberInText next(const formats::DocumentView& item) {
+  NumberInText next(const DocumentView& item) {
     const double value = item.at(key_).number();
     const std::string opening = std::string(key_) + ":";
     while ((at_ = file_.text.find(opening, at_)) != std::string_view::npos) {
@@ -191,15 +208,42 @@ class NumbersOfKey {
   std::size_t at_ = 0;
 };
 
-std::vector<VelodyneLaser> yaml_lasers(const FactoryText& file) {
-  const formats::DocumentNode document = formats::parse_yaml(file.text, file.where);
-  const formats::DocumentView root(document, file.where);
-  std::vector<VelodyneLaser> lasers;
+// What is read and not written.
+void read_geometry(const DocumentView& item, CalibratedLaser& laser) {
+  const auto number = [&](std::string_view name, double most) {
+    if (!item.has(name)) return 0.0;
+    const double value = item.at(name).number();
+    if (!(std::abs(value) <= most))
+      item.at(name).fail(say::velodyne_number_outside(std::string(name), value, -most, most));
+    return value;
+  };
+  if (item.has("laser_id")) {
+    const double id = item.at("laser_id").number();
+    if (!(id >= 0.0 && id < kMostCalibrated)) item.at("laser_id").fail(say::velodyne_laser_id(id, kMostCalibrated - 1));
+    laser.id = static_cast<std::size_t>(id);
+  }
+  laser.azimuth = number("rot_correction", 2.0 * kPi);
+  laser.height = number("vert_offset_correction", kFarthest_m);
+  laser.aside = number("horiz_offset_correction", kFarthest_m);
+  laser.near_x = number("dist_correction_x", kFarthest_m), laser.near_y = number("dist_correction_y", kFarthest_m);
+  const bool has_two = laser.near_x != 0.0 || laser.near_y != 0.0;
+  laser.two_points =
+      has_two && (!item.has("two_pt_correction_available") || item.at("two_pt_correction_available").boolean());
+}
+
+std::vector<CalibratedLaser> yaml_lasers(const FactoryText& file, double& unit_m) {
+  const DocumentNode document = parse_yaml(file.text, file.where);
+  const DocumentView root(document, file.where);
+  std::vector<CalibratedLaser> lasers;
   NumbersOfKey elevations(file, "vert_correction"), distances(file, "dist_correction"),
       near_x(file, "dist_correction_x"), near_y(file, "dist_correction_y");
-  for (const formats::DocumentView& item : root.at("lasers").items()) {
-    if (lasers.size() == kMostLasers) item.fail(say::velodyne_too_many(kMostLasers));
-    VelodyneLaser laser{elevations.next(item), {}};
+  if (root.has("distance_resolution")) unit_m = root.at("distance_resolution").number();
+  for (const DocumentView& item : root.at("lasers").items()) {
+    if (lasers.size() == kMostCalibrated) item.fail(say::velodyne_too_many(kMostCalibrated));
+    CalibratedLaser laser;
+    laser.elevation = elevations.next(item);
+    laser.id = lasers.size();
+    read_geometry(item, laser);
     add_distance(distances.next(item), laser);
     if (item.has("dist_correction_x")) add_distance(near_x.next(item), laser);
     if (item.has("dist_correction_y")) add_distance(near_y.next(item), laser);
@@ -208,33 +252,7 @@ std::vector<VelodyneLaser> yaml_lasers(const FactoryText& file) {
   return lasers;
 }
 
-bool is_xml(std::string_view text) { return formats::trim(text.substr(0, 4096)).starts_with('<'); }
-
-// A point of the beam without the errors of one kind, as they move it.
-Eigen::Vector3d mended_point(const Eigen::Vector3f& at, const cloud::BeamErrors& errors, Eigen::Index first) {
-  cloud::BeamErrors of_kind(errors.nodes);
-  const Eigen::Index count = errors.nodes.count();
-  of_kind.values.segment(first, count) = errors.values.segment(first, count);
-  cloud::PointCloud beam;
-  beam.points = {at};
-  cloud::mend_beams(of_kind, beam);
-  return beam.points.front().cast<double>();
-}
-
-// What is to be added to an elevation (rad) and to a range (m).
-struct BeamCorrection {
-  double elevation_rad, range_m;
-};
-BeamCorrection correction_at(double elevation_rad, const cloud::BeamErrors& errors) {
-  if (errors.none()) return {0.0, 0.0};
-  constexpr double kRange_m = 10.0;
-  const Eigen::Vector3f at(static_cast<float>(kRange_m * std::cos(elevation_rad)), 0.0F,
-                           static_cast<float>(kRange_m * std::sin(elevation_rad)));
-  const Eigen::Vector3d turned = mended_point(at, errors, errors.nodes.elevation_at(0));
-  const Eigen::Vector3d longer = mended_point(at, errors, errors.nodes.range_at(0));
-  const auto up_rad = [](const auto& point) { return std::atan2(double{point.z()}, double{point.x()}); };
-  return {up_rad(turned) - up_rad(at), longer.norm() - at.cast<double>().norm()};
-}
+bool is_xml(std::string_view text) { return trim(text.substr(0, 4096)).starts_with('<'); }
 
 }  // namespace
 
@@ -248,30 +266,15 @@ VelodyneCalibration read_velodyne_calibration(std::string text, const std::strin
     XmlWalk(file).run([&](const auto& path) { lasers.open(path); },
                       [&](const auto& path, std::size_t end) { lasers.close(path, end); });
     calibration.lasers = lasers.taken();
+    if (lasers.unit_cm() != 0.0) calibration.range_unit_m = 0.01 * lasers.unit_cm();
   } else {
-    calibration.lasers = yaml_lasers(file);
+    calibration.lasers = yaml_lasers(file, calibration.range_unit_m);
   }
   if (calibration.lasers.empty()) throw Error(ErrorCode::Format, where, say::velodyne_no_laser());
-  for (const VelodyneLaser& laser : calibration.lasers) require_sensible(file, calibration, laser);
+  if (!(calibration.range_unit_m >= 1e-4 && calibration.range_unit_m <= 0.1))
+    throw Error(ErrorCode::Format, where, say::velodyne_unit_outside(calibration.range_unit_m));
+  for (const CalibratedLaser& laser : calibration.lasers) require_sensible(file, calibration, laser);
   return calibration;
 }
 
-std::string with_beams_mended(const VelodyneCalibration& calibration, const cloud::BeamErrors& errors) {
-  std::vector<std::pair<NumberInText, double>> edits;
-  for (const VelodyneLaser& laser : calibration.lasers) {
-    const BeamCorrection add = correction_at(laser.elevation.value * calibration.elevation_unit_rad, errors);
-    edits.emplace_back(laser.elevation, laser.elevation.value + add.elevation_rad / calibration.elevation_unit_rad);
-    for (const NumberInText& distance : laser.distances)
-      edits.emplace_back(distance, distance.value + add.range_m / calibration.distance_unit_m);
-  }
-  std::ranges::sort(edits, {}, [](const auto& edit) { return edit.first.begin; });
-  std::string text;
-  std::size_t at = 0;
-  for (const auto& [number, value] : edits) {
-    text.append(calibration.text, at, number.begin - at).append(formats::format_numbers("%.7g", value));
-    at = number.begin + number.length;
-  }
-  return text.append(calibration.text, at);
-}
-
-}  // namespace remount::results
+}  // namespace remount::formats

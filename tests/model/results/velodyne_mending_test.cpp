@@ -1,4 +1,4 @@
-#include "model/results/velodyne_calibration.h"
+#include "model/results/velodyne_mending.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,11 @@
 
 namespace remount::results {
 namespace {
+
+using formats::CalibratedLaser;
+using formats::NumberInText;
+using formats::read_velodyne_calibration;
+using formats::VelodyneCalibration;
 
 // As the maker writes it: attributes of boost, tabs, and a third laser that is not in use.
 const std::string kXml =
@@ -51,7 +56,7 @@ void expect_moved(const VelodyneCalibration& before, const VelodyneCalibration& 
   const double up_deg[] = {0.2, 0.1};
   ASSERT_EQ(after.lasers.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    const VelodyneLaser &was = before.lasers[i], &is = after.lasers[i];
+    const CalibratedLaser &was = before.lasers[i], &is = after.lasers[i];
     const double moved_deg = radians_to_degrees((is.elevation.value - was.elevation.value) * before.elevation_unit_rad);
     std::printf("  laser %zu: elevation %+.6f deg", i, moved_deg);
     EXPECT_NEAR(moved_deg, up_deg[i], 2e-5);
@@ -77,7 +82,7 @@ std::string without_numbers(const VelodyneCalibration& calibration) {
   return text;
 }
 
-TEST(velodyne_calibration, gets_each_lasers_elevation_and_distances_in_its_own_units_and_nothing_else) {
+TEST(velodyne_mending, gets_each_lasers_elevation_and_distances_in_its_own_units_and_nothing_else) {
   for (const std::string& text : {kXml, kYaml}) {
     const VelodyneCalibration before = read_velodyne_calibration(text, "db");
     ASSERT_EQ(before.lasers.size(), 2U) << "the third is not in use";
@@ -92,7 +97,7 @@ TEST(velodyne_calibration, gets_each_lasers_elevation_and_distances_in_its_own_u
   EXPECT_NE(with_beams_mended(xml, some_errors()).find("<vertCorrection_> 2.6"), std::string::npos);
 }
 
-TEST(velodyne_calibration, attributes_stand_in_either_quotes) {
+TEST(velodyne_mending, attributes_stand_in_either_quotes) {
   std::string single = kXml;
   std::ranges::replace(single, '"', '\'');
   const VelodyneCalibration one = read_velodyne_calibration(kXml, "db"),
@@ -108,7 +113,7 @@ std::string changed(std::string text, const std::string& from, const std::string
   return text.replace(at, from.size(), to);
 }
 
-TEST(velodyne_calibration, that_is_damaged_or_none_is_refused_with_the_place_and_what_was_expected) {
+TEST(velodyne_mending, that_is_damaged_or_none_is_refused_with_the_place_and_what_was_expected) {
   const auto read = [](const std::string& text) { return read_velodyne_calibration(text, "db.xml"); };
   EXPECT_ERROR(read(changed(kXml, "</px>", "</py>")), "db.xml:8: closes \"py\", which is not open");
   EXPECT_ERROR(read(kXml.substr(0, kXml.size() - 30)), "is not closed");
