@@ -7,10 +7,8 @@
 #include "algorithms/core/error.h"
 #include "messages/guesses.h"
 #include "messages/stages.h"
-#include "model/conventions/week_of_log.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/ins_log.h"
 #include "model/formats/ins/nmea_log.h"
@@ -21,7 +19,7 @@
 #include "model/formats/sessions/several_sessions.h"
 #include "model/guesses/clock_guess.h"
 #include "model/guesses/found_tables.h"
-#include "model/guesses/motion_guess.h"
+#include "model/guesses/table_guess.h"
 
 namespace remount::guesses {
 
@@ -80,62 +78,6 @@ std::optional<InsGuess> read_log(const fs::path& file, std::vector<NotUsed>& not
   ins.span = {session.ins.front().stamp_ns, session.ins.back().stamp_ns};
   ins.week_open = session.ins_week_open;
   ins.guesses.push_back({GuessKind::Rows, {}, "", Sureness::Checked, {say::guess_is_a_log(ins.samples)}, {}});
-  return ins;
-}
-
-Guess rows_guess(const SampledTable& table, const TimeReading& time, std::size_t samples) {
-  const double rate_hz = rows_per_second(table, time);
-  Guess guess{GuessKind::Rows, {}, "", Sureness::Checked, {}, {}};
-  guess.evidence.push_back(
-      say::guess_rows(samples, table.rows, Frequency{rate_hz}, Duration{time.last_s - time.first_s}));
-  if (table.text.decimal_commas) guess.evidence.push_back(say::guess_decimal_commas());
-  return guess;
-}
-
-/// Everything that the manifest will say is read as its reader reads it.
-bool read_as_declared(const FoundTable& found, InsGuess& ins, std::vector<Message>& missing) {
-  std::vector<drive::Finding> findings;
-  try {
-    const std::string text = formats::read_text_file(found.file);
-    const auto take = [&](const auto& items) {
-      ins.samples = items.size();
-      ins.span = {items.front().stamp_ns, items.back().stamp_ns};
-    };
-    if (ins.layout.metric_position)
-      take(formats::parse_pose_table(text, found.file, ins.layout, findings));
-    else
-      take(formats::parse_ins_table(text, found.file, ins.layout, findings));
-  } catch (const Error& error) {
-    missing.push_back(say::guess_refused(drive::message_of(error)));
-    return false;
-  }
-  return true;
-}
-
-std::optional<InsGuess> guess_table(const FoundTable& found, const std::vector<std::int64_t>& stamps_ns,
-                                    const Progress& progress, std::vector<Message>& missing) {
-  const ColumnNames names = names_of(found.table);
-  const auto lack = [&](Message what) {
-    missing.push_back(std::move(what));
-    for (Message& unread : unread_units(found.table, names)) missing.push_back(std::move(unread));
-  };
-  auto time = choose_time(found.table, names, stamps_ns);
-  if (!time) {
-    lack(say::guess_no_time());
-    return std::nullopt;
-  }
-  std::vector<Message> lacks;
-  auto motion = choose_motion(found.table, names, time->reading, progress, lacks);
-  for (Message& what : lacks) lack(std::move(what));
-  if (!motion) return std::nullopt;
-  InsGuess ins{.file = found.file, .layout = std::move(motion->layout)};
-  ins.week_open = time->reading.week_open();
-  static_cast<formats::TimeColumns&>(ins.layout) = time->reading.columns;
-  ins.layout.text = found.table.text;
-  if (!read_as_declared(found, ins, missing)) return std::nullopt;
-  ins.guesses = {rows_guess(found.table, time->reading, ins.samples), std::move(time->guess),
-                 std::move(motion->position), std::move(motion->attitude)};
-  for (Guess& guess : motion->others) ins.guesses.push_back(std::move(guess));
   return ins;
 }
 
@@ -202,15 +144,6 @@ void take_lidar_poses(const std::vector<FoundTable>& tables, Description& descri
   }
 }
 
-/// As a session does where nothing names the week.
-void place_in_week(InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) {
-  if (!ins.week_open || stamps_ns.empty()) return;
-  const auto [first, last] = std::ranges::minmax_element(stamps_ns);
-  const conventions::TimeSpan scans{*first, *last}, span = ins.span;
-  ins.span = {conventions::placed_in_week_ns(span.first_ns, span, scans),
-              conventions::placed_in_week_ns(span.last_ns, span, scans)};
-}
-
 void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>& tables, const Progress& progress,
                Description& description) {
   std::vector<std::int64_t> stamps_ns;
@@ -228,7 +161,7 @@ void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>&
         std::ranges::any_of(description.lidars, [&](const ScansGuess& lidar) { return lidar.stamps == found.file; });
     if (of_scans || found.table.columns.size() < kFewestColumnsOfMotion) continue;
     std::vector<Message> lacks;
-    auto motion = guess_table(found, stamps_ns, progress, lacks);
+    auto motion = guess_ins_of(found, stamps_ns, progress, lacks);
     if (!motion && !description.lidars.empty()) motion = read_poses(found.file);
     if (motion) lacks.clear();
     offer(std::move(motion));
@@ -237,11 +170,7 @@ void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>&
 }
 
 void tell_missing(const std::vector<FoundTable>& tables, Description& description) {
-  if (!description.ins) description.missing.push_back(say::guess_needs_ins());
-  if (description.lidars.empty()) description.missing.push_back(say::guess_needs_lidar());
-  for (const ScansGuess& lidar : description.lidars)
-    if (!lidar.timed && !lidar.capture)
-      description.missing.push_back(say::guess_needs_stamps(lidar.count, lidar.directory.string()));
+  description.missing = what_is_missing(description);
   for (const FoundTable& found : tables)
     if (!is_used(found.file, description) &&
         std::ranges::none_of(description.not_used, [&](const NotUsed& one) { return one.path == found.file; }))
@@ -261,9 +190,21 @@ Message words(Sureness sureness) {
       return say::guess_is_named();
     case Sureness::Likely:
       return say::guess_is_likely();
+    case Sureness::Chosen:
+      return say::guess_is_chosen();
     default:
       return say::guess_is_open();
   }
+}
+
+std::vector<Message> what_is_missing(const Description& description) {
+  std::vector<Message> missing;
+  if (!description.ins) missing.push_back(say::guess_needs_ins());
+  if (description.lidars.empty()) missing.push_back(say::guess_needs_lidar());
+  for (const ScansGuess& lidar : description.lidars)
+    if (!lidar.timed && !lidar.capture)
+      missing.push_back(say::guess_needs_stamps(lidar.count, lidar.directory.string()));
+  return missing;
 }
 
 bool Description::open() const {
@@ -281,12 +222,17 @@ bool Description::open() const {
 }
 
 Description describe_data(const std::vector<fs::path>& paths, Progress& progress, KnownFormats known) {
-  Description description;
+  return look_at_data(paths, progress, known).description;
+}
+
+DescribedTables look_at_data(const std::vector<fs::path>& paths, Progress& progress, KnownFormats known) {
+  DescribedTables looked_at;
+  Description& description = looked_at.description;
   progress.report(say::stage_looking_at_files, 0, 0);
   FoundFiles found = find_files(paths, progress);
   if (known == KnownFormats::Told)
     description.known = known_session(paths, !found.clouds.empty(), progress, found.not_used);
-  if (description.known) return description;
+  if (description.known) return looked_at;
   description.not_used = std::move(found.not_used);
   put_rare_kinds_first(found.others);
   constexpr std::size_t kMostLookedAt = 2000;
@@ -297,9 +243,10 @@ Description describe_data(const std::vector<fs::path>& paths, Progress& progress
   }
   std::vector<fs::path> logs, texts;
   for (const fs::path& file : found.others) (is_log(file) ? logs : texts).push_back(file);
-  const std::vector<FoundTable> tables = find_tables(texts, found.clouds, progress, description.not_used);
+  looked_at.tables = find_tables(texts, found.clouds, progress, description.not_used);
+  const std::vector<FoundTable>& tables = looked_at.tables;
   for (const CloudFolder& folder : found.clouds) {
-    if (progress.cancelled()) return description;
+    if (progress.cancelled()) return looked_at;
     description.lidars.push_back(guess_scans(folder, tables));
   }
   for (const fs::path& capture : found.captures) {
@@ -314,7 +261,7 @@ Description describe_data(const std::vector<fs::path>& paths, Progress& progress
   if (description.lidars.empty()) take_lidar_poses(tables, description);
   tell_missing(tables, description);
   if (description.ins) description.clock = guess_clock(*description.ins, description.lidars);
-  return description;
+  return looked_at;
 }
 
 }  // namespace remount::guesses

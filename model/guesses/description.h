@@ -10,6 +10,7 @@
 #include "model/conventions/clock_hint.h"
 #include "model/formats/ins/ins_table.h"
 #include "model/guesses/found_files.h"
+#include "model/guesses/found_tables.h"
 #include "model/guesses/guess.h"
 #include "model/guesses/scans_guess.h"
 
@@ -48,6 +49,9 @@ struct Description {
   bool open() const;
 };
 
+/// What a session needs and a description does not have.
+std::vector<Message> what_is_missing(const Description& description);
+
 enum class KnownFormats { Told, PassedOver };
 
 /// Looks at files and folders. Asks nothing and writes nothing. What was not compared with the data is said to be so.
@@ -55,5 +59,13 @@ enum class KnownFormats { Told, PassedOver };
 /// @param known whether what a session reader reads is told as such, and not looked at
 Description describe_data(const std::vector<std::filesystem::path>& paths, Progress& progress,
                           KnownFormats known = KnownFormats::Told);
+
+/// The same, with the tables that were looked at.
+struct DescribedTables {
+  Description description;
+  std::vector<FoundTable> tables;
+};
+DescribedTables look_at_data(const std::vector<std::filesystem::path>& paths, Progress& progress,
+                             KnownFormats known = KnownFormats::Told);
 
 }  // namespace remount::guesses

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/messages/message.h"
+#include "model/formats/ins/ins_table.h"
 
 namespace remount::guesses {
 
@@ -27,6 +28,7 @@ enum class Sureness {
   Named,    ///< names say so, and nothing contradicts them
   Likely,   ///< better supported than what else it might mean
   Open,     ///< others fit as well: whoever recorded it has to say
+  Chosen,   ///< somebody said so
 };
 /// "checked against the data".
 Message words(Sureness sureness);
@@ -38,6 +40,8 @@ struct Guess {
   Sureness sureness = Sureness::Open;
   std::vector<Message> evidence{};      ///< what was looked at, with numbers
   std::vector<Message> alternatives{};  ///< what else it may be, and how that is written
+  /// The same as a manifest would read them: of a time its columns alone, else position and attitude.
+  std::vector<formats::InsTableLayout> other_layouts{};
 };
 
 }  // namespace remount::guesses

@@ -165,6 +165,7 @@ class ManifestWriter {
     if (time.date_order != formats::DateOrder::YearFirst)
       node.add("order", DocumentNode::string(std::string(date_order_name(time.date_order))));
     if (time.nanoseconds) node.add("nanoseconds", column(*time.nanoseconds));
+    if (time.offset_ns != 0) node.add("offset_s", DocumentNode::number(1e-9 * static_cast<double>(time.offset_ns)));
     return node;
   }
 

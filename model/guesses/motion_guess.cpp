@@ -79,6 +79,36 @@ std::string axes_words(const SampledTable& table, const PositionReading& positio
          (position.down ? ", down: " : ", up: ") + table.label(position.at[2]) + "}";
 }
 
+void put_attitude(const SampledTable& table, const AttitudeReading& attitude, formats::InsTableLayout& layout) {
+  if (attitude.quaternion) {
+    layout.quaternion = attitude.quaternion;
+    for (std::size_t i = 0; i < 4; ++i) layout.quaternion_xyzw[i] = table.ref(attitude.xyzw[i]);
+    return;
+  }
+  layout.attitude = attitude.convention;
+  layout.attitude_unit_rad = attitude.unit_rad;
+  layout.yaw_pitch_roll_signs = attitude.signs;
+  for (std::size_t i = 0; i < 3; ++i) layout.yaw_pitch_roll[i] = table.ref(attitude.yaw_pitch_roll[i]);
+}
+
+void put_position(const SampledTable& table, const PositionReading& position, formats::InsTableLayout& layout) {
+  const auto& [first, second, third] = position.at;
+  if (position.geodetic) {
+    layout.latitude = table.ref(first), layout.longitude = table.ref(second), layout.height = table.ref(third);
+    layout.position_unit_rad = position.unit_rad;
+    return;
+  }
+  layout.metric_position = {table.ref(first), table.ref(second), table.ref(third)};
+  layout.metric_down = position.down;
+}
+
+void add_other(const SampledTable& table, const Hypothesis& other, std::string words, Guess& guess) {
+  guess.alternatives.push_back(Message::verbatim(std::move(words)));
+  formats::InsTableLayout& layout = guess.other_layouts.emplace_back();
+  put_position(table, *other.position, layout);
+  put_attitude(table, other.attitude, layout);
+}
+
 /// A compass heading decides: from north, clockwise. All else goes with x to the east as with x to the north.
 void judge_axes(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best, Guess& guess) {
   const Hypothesis* mirrored = moves(best) ? mirrored_alike(all, best) : nullptr;
@@ -86,8 +116,8 @@ void judge_axes(const SampledTable& table, const std::vector<Hypothesis>& all, c
   if (!mirrored || decided) return;
   guess.sureness = Sureness::Open;
   guess.evidence.push_back(say::guess_axes_not_told());
-  guess.alternatives.push_back(
-      Message::verbatim(axes_words(table, *mirrored->position) + ", attitude: {" + mirrored->attitude.words() + "}"));
+  add_other(table, *mirrored,
+            axes_words(table, *mirrored->position) + ", attitude: {" + mirrored->attitude.words() + "}", guess);
 }
 
 void judge_by_travel(const std::vector<Hypothesis>& all, const Hypothesis& best, Guess& guess) {
@@ -148,8 +178,7 @@ Guess attitude_guess(const SampledTable& table, const std::vector<Hypothesis>& a
   if (!best.attitude.by_name && guess.sureness == Sureness::Checked && best.fit.slope != SlopeFit::Agrees)
     guess.sureness = Sureness::Likely;  // which of the others is pitch, the order alone says
   if (guess.sureness != Sureness::Checked)
-    for (const Hypothesis* other : others_alike(all, best))
-      guess.alternatives.push_back(Message::verbatim(other->attitude.words()));
+    for (const Hypothesis* other : others_alike(all, best)) add_other(table, *other, other->attitude.words(), guess);
   judge_axes(table, all, best, guess);
   return guess;
 }
@@ -175,8 +204,8 @@ void judge_exchanged(const SampledTable& table, const std::vector<Hypothesis>& a
   const Hypothesis* other = turned_over(all, best);
   if (!other || (best.fit.slope == SlopeFit::Agrees && !position.down)) return;
   guess.sureness = Sureness::Open;
-  guess.alternatives.push_back(
-      Message::verbatim(axes_words(table, *other->position) + ", attitude: {" + other->attitude.words() + "}"));
+  add_other(table, *other, axes_words(table, *other->position) + ", attitude: {" + other->attitude.words() + "}",
+            guess);
 }
 
 Guess position_guess(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best) {
@@ -194,29 +223,6 @@ Guess position_guess(const SampledTable& table, const std::vector<Hypothesis>& a
   if (position.above_sea) guess.evidence.push_back(say::guess_above_sea());
   judge_exchanged(table, all, best, guess);
   return guess;
-}
-
-void put_attitude(const SampledTable& table, const AttitudeReading& attitude, formats::InsTableLayout& layout) {
-  if (attitude.quaternion) {
-    layout.quaternion = attitude.quaternion;
-    for (std::size_t i = 0; i < 4; ++i) layout.quaternion_xyzw[i] = table.ref(attitude.xyzw[i]);
-    return;
-  }
-  layout.attitude = attitude.convention;
-  layout.attitude_unit_rad = attitude.unit_rad;
-  layout.yaw_pitch_roll_signs = attitude.signs;
-  for (std::size_t i = 0; i < 3; ++i) layout.yaw_pitch_roll[i] = table.ref(attitude.yaw_pitch_roll[i]);
-}
-
-void put_position(const SampledTable& table, const PositionReading& position, formats::InsTableLayout& layout) {
-  const auto& [first, second, third] = position.at;
-  if (position.geodetic) {
-    layout.latitude = table.ref(first), layout.longitude = table.ref(second), layout.height = table.ref(third);
-    layout.position_unit_rad = position.unit_rad;
-    return;
-  }
-  layout.metric_position = {table.ref(first), table.ref(second), table.ref(third)};
-  layout.metric_down = position.down;
 }
 
 /// Errors that names tell, as far as the manifest has room for them.

@@ -338,6 +338,7 @@ void say_alternatives(const SampledTable& table, const std::vector<TimeReading>&
     if (!as_good && (other.weight < 0.2 * ours.weight || (refuted && !other_column))) continue;
     if (!as_good && !other_column && other.weight < 0.5 * ours.weight) continue;
     guess.alternatives.push_back(alternative_of(table, other, apart_s));
+    static_cast<TimeColumns&>(guess.other_layouts.emplace_back()) = other.columns;
     if (!refuted && other.weight >= 0.8 * ours.weight) guess.sureness = Sureness::Open;
   }
 }

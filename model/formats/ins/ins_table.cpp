@@ -149,14 +149,14 @@ namespace {
 /// Calls `take` with each row that may be used. Throws Error where there is none.
 template <class Take>
 void take_rows(std::string_view text, const fs::path& path, const InsTableLayout& layout,
-               std::vector<drive::Finding>& findings, Take&& take) {
+               std::vector<drive::Finding>& findings, const Progress& progress, Take&& take) {
   text = without_cut_line(text, path.string(), findings);
   std::string memory;
   DeclaredRows rows(path, layout.text, layout, all_columns_of(layout), with_points(text, layout.text, memory));
   RowParser parser(layout, rows);
   drive::BadItems bad;
   std::size_t taken = 0;
-  while (rows.next()) {
+  while (!progress.cancelled() && rows.next()) {
     try {
       take(parser);
       ++taken;
@@ -171,10 +171,11 @@ void take_rows(std::string_view text, const fs::path& path, const InsTableLayout
 }  // namespace
 
 std::vector<motion::InsSample> parse_ins_table(std::string_view text, const fs::path& path,
-                                               const InsTableLayout& layout, std::vector<drive::Finding>& findings) {
+                                               const InsTableLayout& layout, std::vector<drive::Finding>& findings,
+                                               const Progress& progress) {
   std::vector<motion::InsSample> samples;
   std::vector<drive::AttitudeAngles> logged;
-  take_rows(text, path, layout, findings, [&](RowParser& parser) {
+  take_rows(text, path, layout, findings, progress, [&](RowParser& parser) {
     samples.push_back(parser.sample());
     logged.push_back(parser.logged_angles());
   });
@@ -185,9 +186,10 @@ std::vector<motion::InsSample> parse_ins_table(std::string_view text, const fs::
 }
 
 std::vector<motion::StampedPose> parse_pose_table(std::string_view text, const fs::path& path,
-                                                  const InsTableLayout& layout, std::vector<drive::Finding>& findings) {
+                                                  const InsTableLayout& layout, std::vector<drive::Finding>& findings,
+                                                  const Progress& progress) {
   std::vector<motion::StampedPose> poses;
-  take_rows(text, path, layout, findings, [&](RowParser& parser) { poses.push_back(parser.pose()); });
+  take_rows(text, path, layout, findings, progress, [&](RowParser& parser) { poses.push_back(parser.pose()); });
   drive::keep_ascending(poses, "pose", path.string(), findings);
   return poses;
 }

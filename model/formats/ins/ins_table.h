@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/core/progress.h"
 #include "model/drive/attitude_convention.h"
 #include "model/drive/session.h"
 #include "model/formats/files/declared_table.h"
@@ -38,13 +39,16 @@ struct InsTableLayout : TimeColumns {
 /// cannot be read, a column is missing, or no line is usable.
 std::vector<motion::InsSample> read_ins_table(const std::filesystem::path& path, const InsTableLayout& layout,
                                               std::vector<drive::Finding>& findings);
-/// The same of a text that was read already; `path` is for messages.
+/// The same of a text that was read already; `path` is for messages. Where it is cancelled, of the lines until then, or
+/// an Error of which nothing is to be said.
 std::vector<motion::InsSample> parse_ins_table(std::string_view text, const std::filesystem::path& path,
-                                               const InsTableLayout& layout, std::vector<drive::Finding>& findings);
+                                               const InsTableLayout& layout, std::vector<drive::Finding>& findings,
+                                               const Progress& progress = Progress());
 
 /// Poses in a metric world, of a layout with `metric_position`; likewise.
 std::vector<motion::StampedPose> parse_pose_table(std::string_view text, const std::filesystem::path& path,
-                                                  const InsTableLayout& layout, std::vector<drive::Finding>& findings);
+                                                  const InsTableLayout& layout, std::vector<drive::Finding>& findings,
+                                                  const Progress& progress = Progress());
 
 std::string_view to_string(motion::InsQuality quality);
 

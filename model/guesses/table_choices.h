@@ -1,0 +1,85 @@
+// What somebody says of the columns of a table: what each is, and how it counts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "model/formats/ins/ins_table.h"
+#include "model/guesses/sampled_table.h"
+#include "model/guesses/time_guess.h"
+
+namespace remount::guesses {
+
+/// What a manifest can say that a column is.
+enum class ColumnRole {
+  Ignored,
+  Time,
+  Day,          ///< of a time of day
+  Week,         ///< of GPS
+  Nanoseconds,  ///< beside whole seconds
+  Latitude,
+  Longitude,
+  East,
+  North,
+  Height,  ///< or up, beside east and north
+  Down,
+  Yaw,  ///< or heading
+  Pitch,
+  Roll,
+  Qx,
+  Qy,
+  Qz,
+  Qw,
+  SigmaEast,
+  SigmaNorth,
+  SigmaUp,
+  SigmaYaw,
+  SigmaPitch,
+  SigmaRoll,
+  Quality,
+};
+inline constexpr std::size_t kColumnRoleCount = 25;
+/// "latitude".
+Message words(ColumnRole role);
+
+/// How an attitude counts, in the order in which forms offer it.
+enum class AttitudeStyle { Heading, EnuYaw, NovAtel, QuaternionEnu, QuaternionNed };
+inline constexpr std::size_t kAttitudeStyleCount = 5;
+bool is_quaternion(AttitudeStyle style);
+
+struct TableChoices {
+  std::vector<ColumnRole> roles;              ///< of each column; each role but Ignored once
+  std::int64_t time_unit_ns = 1'000'000'000;  ///< 0: the time is a text with a date
+  formats::TimeScale time_scale = formats::TimeScale::Unix;
+  std::int64_t offset_ns = 0;   ///< added to the times
+  bool position_in_deg = true;  ///< latitude and longitude
+  AttitudeStyle attitude = AttitudeStyle::Heading;
+  bool attitude_in_deg = true;
+  std::array<bool, 3> negated{};  ///< yaw, pitch, roll
+
+  std::optional<std::size_t> column(ColumnRole role) const;
+  bool has(ColumnRole role) const { return column(role).has_value(); }
+  bool metric() const;  ///< east and north in the place of latitude and longitude
+  bool operator==(const TableChoices&) const = default;
+};
+
+/// Gives a column a role. The column that had it takes the one that this column had; those of another way to say the
+/// same (latitude beside east, angles beside a quaternion) are ignored then, and the conventions follow.
+void give_role(TableChoices& choices, std::size_t column, ColumnRole role);
+
+TableChoices choices_of(const SampledTable& table, const formats::InsTableLayout& layout);
+/// Only what is said of the time, only what is said of position and attitude: of an alternative.
+void take_time(const SampledTable& table, const formats::TimeColumns& time, TableChoices& choices);
+void take_motion(const SampledTable& table, const formats::InsTableLayout& layout, TableChoices& choices);
+
+/// What names say, where no motion was found in a table. @param time as far as one was found
+TableChoices choices_by_names(const SampledTable& table, const std::optional<TimeReading>& time);
+
+/// As a manifest has it; nothing where columns are lacking or contradict each other, of which `lacks` then says what.
+std::optional<formats::InsTableLayout> layout_of(const SampledTable& table, const TableChoices& choices,
+                                                 std::vector<Message>& lacks);
+
+}  // namespace remount::guesses

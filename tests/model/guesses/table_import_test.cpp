@@ -1,0 +1,272 @@
+#include "model/guesses/table_import.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "algorithms/messages/render.h"
+#include "tests/model/guesses/described_rows.h"
+
+namespace remount::guesses {
+namespace {
+
+namespace fs = std::filesystem;
+
+class table_import : public DescribedRows {
+ protected:
+  static ImportData look(const fs::path& folder) {
+    Progress progress;
+    return look_for_import({folder}, progress);
+  }
+  static std::string manifest(const Description& description, const fs::path& folder) {
+    return formats::to_yaml(manifest_of(description, folder, Language::English));
+  }
+  static ImportChoice untouched(const ImportData& data) { return {data.table, data.table->preset, {}}; }
+  static ImportChecks checked(const ImportData& data, const ImportChoice& choice) {
+    return check_choice(data.description, choice, Progress());
+  }
+  static Verdict verdict(const ImportChecks& checks, CheckKind kind) {
+    const ImportCheck* check = checks.find(kind);
+    EXPECT_TRUE(check) << english(words(kind));
+    return check ? check->verdict : Verdict::NotTold;
+  }
+  static std::string said(const ImportChecks& checks) {
+    std::string text;
+    for (const ImportCheck& check : checks.checks)
+      for (const Message& evidence : check.evidence)
+        text += english(words(check.kind)) + ": " + english(evidence) + "\n";
+    return text;
+  }
+  static std::size_t column(const ImportData& data, const std::string& title) {
+    const auto& columns = data.table->table.columns;
+    const auto found = std::ranges::find(columns, title, &SampledColumn::title);
+    EXPECT_NE(found, columns.end()) << title;
+    return static_cast<std::size_t>(found - columns.begin());
+  }
+  /// Metric, with a yaw of which nobody says from where it counts.
+  static void write_metric(const fs::path& file) {
+    write_rows(file, "t,x,y,z,roll,pitch,yaw\n", [](std::size_t, const WrittenSample& sample) {
+      const Eigen::Vector3d place = sample.world_from_ins.translation();
+      const drive::AttitudeAngles angles = yaw_angles(sample);
+      return Fields{seconds_text(sample.ins.stamp_ns),
+                    number(place.x()),
+                    number(place.y()),
+                    number(place.z()),
+                    degrees_text(angles.roll_rad),
+                    degrees_text(angles.pitch_rad),
+                    degrees_text(angles.yaw_rad)};
+    });
+  }
+};
+
+TEST_F(table_import, what_is_left_as_guessed_gives_the_manifest_of_describe) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  std::size_t layouts_told = 0;
+  for (const WrittenLayout& layout : layouts()) {
+    folder.write("motion.txt", table_text(layout, *samples_));
+    SCOPED_TRACE(layout.name);
+    const ImportData data = look(folder.path());
+    const std::string expected = manifest(described({folder.path()}), folder.path());
+    ASSERT_TRUE(data.table);
+    if (data.table->guess->pose_format) continue;
+    const ImportChoice choice = untouched(data);
+    EXPECT_EQ(manifest(description_of(data.description, choice, checked(data, choice)), folder.path()), expected);
+    // Not only because nothing was touched: what the choices say is the same as well.
+    std::vector<Message> lacks;
+    const auto layout_again = layout_of(data.table->table, choice.choices, lacks);
+    ASSERT_TRUE(layout_again) << english(lacks.front());
+    Description again = data.description;
+    again.ins->layout = *layout_again;
+    EXPECT_EQ(manifest(again, folder.path()), expected);
+    ++layouts_told;
+  }
+  std::cout << layouts_told << " layouts\n";
+  EXPECT_GE(layouts_told, 5U);
+}
+
+TEST_F(table_import, checks_of_the_guess_are_good) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_rows(folder.path() / "motion.csv", "time" + std::string(kGeodeticHead),
+             [](std::size_t, const WrittenSample& sample) {
+               return joined({seconds_text(sample.ins.stamp_ns)}, geodetic(sample));
+             });
+  const ImportData data = look(folder.path());
+  ASSERT_TRUE(data.table);
+  EXPECT_EQ(data.folder, folder.path());
+  EXPECT_EQ(data.table->first_rows.front().size(), 7U);
+  const ImportChecks checks = checked(data, untouched(data));
+  std::cout << said(checks);
+  for (const ImportCheck& check : checks.checks)
+    EXPECT_TRUE(check.verdict == Verdict::Good || check.verdict == Verdict::NotTold) << english(words(check.kind));
+  EXPECT_EQ(checks.samples, samples_->size());
+  EXPECT_GT(checks.drive.track_m.size(), 100U);
+}
+
+TEST_F(table_import, a_choice_between_x_to_the_east_and_to_the_north_reaches_manifest_and_session) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_metric(folder.path() / "motion.csv");
+  const ImportData data = look(folder.path());
+  ASSERT_TRUE(data.table);
+  const Guess* attitude = find_guess(data.table->guess->guesses, GuessKind::Attitude);
+  ASSERT_EQ(attitude->sureness, Sureness::Open);
+  ASSERT_EQ(attitude->other_layouts.size(), attitude->alternatives.size());
+  EXPECT_EQ(data.table->preset.column(ColumnRole::East), column(data, "x"));
+
+  ImportChoice choice = untouched(data);
+  give_role(choice.choices, column(data, "x"), ColumnRole::North);
+  EXPECT_EQ(choice.choices.column(ColumnRole::East), column(data, "y")) << "they are exchanged";
+  const ImportChecks mirrored = checked(data, choice);
+  EXPECT_EQ(verdict(mirrored, CheckKind::Heading), Verdict::Bad) << said(mirrored);
+
+  take_motion(data.table->table, attitude->other_layouts.back(), choice.choices);
+  const ImportChecks checks = checked(data, choice);
+  std::cout << said(checks);
+  EXPECT_EQ(choice.choices.attitude, AttitudeStyle::Heading);
+  EXPECT_NE(verdict(checks, CheckKind::Heading), Verdict::Bad);
+  const Description made = description_of(data.description, choice, checks);
+  EXPECT_TRUE(made.complete());
+  EXPECT_FALSE(made.open()) << "somebody said so";
+  const std::string text = manifest(made, folder.path());
+  EXPECT_TRUE(formats::contains(text, "position: {east: y, north: x, ")) << text;
+  EXPECT_TRUE(formats::contains(text, "chosen by hand")) << text;
+  const drive::Session session = opened(made, folder.path());
+  ASSERT_EQ(session.world_from_ins.size(), samples_->size());
+  const Eigen::Vector3d is = session.world_from_ins.back().pose.translation() -
+                             session.world_from_ins.front().pose.translation(),
+                        was = samples_->back().world_from_ins.translation() -
+                              samples_->front().world_from_ins.translation();
+  EXPECT_NEAR(is.x(), was.y(), 1e-6);
+  EXPECT_NEAR(is.y(), was.x(), 1e-6);
+}
+
+TEST_F(table_import, wrong_choices_are_seen_in_the_check_of_what_they_are_about) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_rows(folder.path() / "motion.csv", "time,temp" + std::string(kGeodeticHead),
+             [](std::size_t i, const WrittenSample& sample) {
+               Fields row = joined({seconds_text(sample.ins.stamp_ns), "12000"}, geodetic(sample));
+               if (i == 40) row[3] = "broken";
+               return row;
+             });
+  const ImportData data = look(folder.path());
+  ASSERT_TRUE(data.table);
+  const auto with = [&](auto change) {
+    ImportChoice choice = untouched(data);
+    change(choice.choices);
+    return checked(data, choice);
+  };
+  const ImportChecks as_is = with([](TableChoices&) {});
+  EXPECT_EQ(verdict(as_is, CheckKind::Rows), Verdict::Doubtful);
+  EXPECT_EQ(as_is.samples + 1, samples_->size());
+  EXPECT_TRUE(formats::contains(said(as_is), "42")) << "the line is named: " << said(as_is);
+  EXPECT_EQ(verdict(with([](TableChoices& c) { c.attitude = AttitudeStyle::EnuYaw; }), CheckKind::Heading),
+            Verdict::Bad);
+  EXPECT_EQ(verdict(with([](TableChoices& c) { c.negated[1] = true; }), CheckKind::Pitch), Verdict::Bad);
+  EXPECT_EQ(verdict(with([](TableChoices& c) { c.attitude = AttitudeStyle::NovAtel; }), CheckKind::Heading),
+            Verdict::Good)
+      << "the same angles for other axes";
+  EXPECT_EQ(verdict(with([&](TableChoices& c) { give_role(c, column(data, "temp"), ColumnRole::Height); }),
+                    CheckKind::Height),
+            Verdict::Bad);
+  EXPECT_EQ(verdict(with([](TableChoices& c) { c.time_unit_ns = 1'000'000; }), CheckKind::Rate), Verdict::Bad);
+  const ImportChecks later = with([](TableChoices& c) { c.offset_ns = 18'000'000'000; });
+  EXPECT_EQ(verdict(later, CheckKind::Clock), Verdict::Doubtful) << said(later);
+  const ImportChecks gps = with([](TableChoices& c) { c.time_scale = formats::TimeScale::Gps; });
+  EXPECT_EQ(verdict(gps, CheckKind::Clock), Verdict::Bad) << said(gps);
+}
+
+TEST_F(table_import, an_offset_of_the_clock_is_kept_in_the_manifest) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_metric(folder.path() / "motion.csv");
+  const ImportData data = look(folder.path());
+  ImportChoice choice = untouched(data);
+  choice.choices.offset_ns = -250'000'000;
+  const drive::Session session = opened(description_of(data.description, choice, checked(data, choice)), folder.path());
+  EXPECT_EQ(session.world_from_ins.front().stamp_ns, samples_->front().ins.stamp_ns - 250'000'000);
+}
+
+TEST_F(table_import, roles_take_along_what_goes_with_them) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_metric(folder.path() / "motion.csv");
+  const ImportData data = look(folder.path());
+  TableChoices choices = data.table->preset;
+  give_role(choices, column(data, "x"), ColumnRole::Latitude);
+  EXPECT_FALSE(choices.metric());
+  std::vector<Message> lacks;
+  EXPECT_FALSE(layout_of(data.table->table, choices, lacks));
+  ASSERT_EQ(lacks.size(), 1U);
+  EXPECT_TRUE(formats::contains(english(lacks[0]), "longitude")) << english(lacks[0]);
+  give_role(choices, column(data, "roll"), ColumnRole::Qx);
+  EXPECT_EQ(choices.attitude, AttitudeStyle::QuaternionEnu);
+  EXPECT_FALSE(choices.has(ColumnRole::Yaw));
+  give_role(choices, column(data, "z"), ColumnRole::Week);
+  EXPECT_EQ(choices.time_scale, formats::TimeScale::Gps);
+  choices.time_scale = formats::TimeScale::Unix;
+  lacks.clear();
+  EXPECT_FALSE(layout_of(data.table->table, choices, lacks));
+  EXPECT_TRUE(says(lacks, "import-week-needs-gps"));
+}
+
+TEST_F(table_import, scans_that_are_left_out_are_not_in_the_manifest) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_metric(folder.path() / "motion.csv");
+  const ImportData data = look(folder.path());
+  ImportChoice choice = untouched(data);
+  choice.left_out = {0};
+  const ImportChecks checks = checked(data, choice);
+  EXPECT_EQ(verdict(checks, CheckKind::Clock), Verdict::NotTold);
+  const Description made = description_of(data.description, choice, checks);
+  EXPECT_TRUE(made.lidars.empty());
+  EXPECT_TRUE(says(made.missing, "guess-needs-lidar"));
+}
+
+TEST_F(table_import, a_table_of_names_that_nobody_knows_is_imported_by_hand) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_rows(folder.path() / "motion.csv", "a,b,c,d,e,f,g\n", [](std::size_t, const WrittenSample& sample) {
+    const drive::AttitudeAngles angles = heading_angles(sample);
+    const Fields place = place_deg(sample);
+    return Fields{degrees_text(angles.roll_rad),
+                  place[2],
+                  degrees_text(angles.yaw_rad),
+                  place[0],
+                  degrees_text(angles.pitch_rad),
+                  seconds_text(sample.ins.stamp_ns),
+                  place[1]};
+  });
+  const ImportData data = look(folder.path());
+  ASSERT_TRUE(data.table);
+  if (data.table->guess) std::cout << "it was guessed all the same\n";
+  ImportChoice choice = untouched(data);
+  constexpr std::array kRoles{ColumnRole::Roll,  ColumnRole::Height, ColumnRole::Yaw,      ColumnRole::Latitude,
+                              ColumnRole::Pitch, ColumnRole::Time,   ColumnRole::Longitude};
+  for (std::size_t i = 0; i < kRoles.size(); ++i) give_role(choice.choices, i, kRoles[i]);
+  choice.choices.attitude = AttitudeStyle::Heading;
+  choice.choices.attitude_in_deg = choice.choices.position_in_deg = true;
+  const ImportChecks checks = checked(data, choice);
+  EXPECT_EQ(verdict(checks, CheckKind::Heading), Verdict::Good) << said(checks);
+  const drive::Session session = opened(description_of(data.description, choice, checks), folder.path());
+  const double apart = motions_apart(session, *session_);
+  std::cout << "motions " << apart << " apart\n";
+  EXPECT_LT(apart, kTextPrecision);
+}
+
+TEST_F(table_import, cancelled_checks_say_nothing) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_metric(folder.path() / "motion.csv");
+  const ImportData data = look(folder.path());
+  std::stop_source stop;
+  stop.request_stop();
+  const ImportChecks checks = check_choice(data.description, untouched(data), Progress(stop.get_token()));
+  EXPECT_EQ(checks.samples, 0U);
+}
+
+}  // namespace
+}  // namespace remount::guesses
