@@ -194,6 +194,52 @@
     </message>
 </context>
 <context>
+    <name>remount::gui::ImportController</name>
+    <message>
+        <source>Folder with scans or tables</source>
+        <translation>扫描或表格所在的文件夹</translation>
+    </message>
+    <message>
+        <source>Tables, captures or other files</source>
+        <translation>表格、捕获文件或其他文件</translation>
+    </message>
+    <message>
+        <source>Save the manifest</source>
+        <translation>保存清单</translation>
+    </message>
+    <message>
+        <source>Manifests (*.yaml)</source>
+        <translation>清单 (*.yaml)</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>已保存为 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::ImportFeature</name>
+    <message>
+        <source>&amp;Import a table…</source>
+        <translation>导入表格(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation>Ctrl+I</translation>
+    </message>
+    <message>
+        <source>Import a table…</source>
+        <translation>导入表格…</translation>
+    </message>
+    <message>
+        <source>The table with the motion of the INS</source>
+        <translation>含 INS 运动的表格</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv *.dat *.asc *.log *.pos);;All files (*)</source>
+        <translation>表格 (*.csv *.txt *.tsv *.dat *.asc *.log *.pos);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
     <name>remount::gui::InputFiles</name>
     <message>
         <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
@@ -1855,6 +1901,13 @@ The result appears when all of it is done. Esc stops.</source>
     </message>
 </context>
 <context>
+    <name>remount::widgets::CheckList</name>
+    <message>
+        <source>Checks against the data</source>
+        <translation>与数据的核对</translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::ClearancePlot</name>
     <message>
         <source>The scan around the vehicle, seen from above</source>
@@ -2021,6 +2074,21 @@ The result appears when all of it is done. Esc stops.</source>
     </message>
 </context>
 <context>
+    <name>remount::widgets::ColumnTable</name>
+    <message>
+        <source>Columns of the table</source>
+        <translation>表格的列</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>What column %1 is</source>
+        <translation>列 %1 的含义</translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::ComparisonView</name>
     <message>
         <source>not observed</source>
@@ -2081,6 +2149,105 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>In words</source>
         <translation>文字说明</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::ConventionForm</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Attitude</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>弧度</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>单位(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Clock</source>
+        <translation>时钟(&amp;C)</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Is added to the times of the table</source>
+        <translation>加到表中的时间上</translation>
+    </message>
+    <message>
+        <source>A&amp;dd</source>
+        <translation>加上(&amp;D)</translation>
+    </message>
+    <message>
+        <source>U&amp;nit</source>
+        <translation>单位(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Of latitude and longitude. East, north, x, y, z and heights are metres.</source>
+        <translation>纬度和经度的单位。东、北、x、y、z 和高度均为米。</translation>
+    </message>
+    <message>
+        <source>Un&amp;it</source>
+        <translation>单位(&amp;I)</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>航向</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>俯仰</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>横滚</translation>
+    </message>
+    <message>
+        <source>The table counts this angle the other way than the convention above does</source>
+        <translation>表中该角度的正负与上述约定相反</translation>
+    </message>
+    <message>
+        <source>%1 counts the other way</source>
+        <translation>%1 反向计</translation>
+    </message>
+    <message>
+        <source>Turned round</source>
+        <translation>反向</translation>
+    </message>
+    <message>
+        <source>Other readings that fit</source>
+        <translation>其他吻合的解释</translation>
+    </message>
+    <message>
+        <source>Readings that fit</source>
+        <translation>吻合的解释</translation>
+    </message>
+    <message>
+        <source>as guessed</source>
+        <translation>按推测</translation>
+    </message>
+    <message>
+        <source>not recognised: please choose</source>
+        <translation>未识别：请选择</translation>
+    </message>
+    <message>
+        <source>Counts &amp;as</source>
+        <translation>计法(&amp;A)</translation>
     </message>
 </context>
 <context>
@@ -2648,6 +2815,93 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Each session solved alone. No two of them observe the same parameter: whether they agree cannot be said.</source>
         <translation>各份数据单独求解。没有任何两份观测到同一个参数：无法说明它们是否一致。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::ImportDialog</name>
+    <message>
+        <source>Import a table</source>
+        <translation>导入表格</translation>
+    </message>
+    <message>
+        <source>Files that were found</source>
+        <translation>找到的文件</translation>
+    </message>
+    <message>
+        <source>Add &amp;folder…</source>
+        <translation>添加文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Scans or tables that lie elsewhere</source>
+        <translation>位于别处的扫描或表格</translation>
+    </message>
+    <message>
+        <source>Add fi&amp;les…</source>
+        <translation>添加文件(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>As guessed</source>
+        <translation>恢复推测</translation>
+    </message>
+    <message>
+        <source>Takes back what was changed here</source>
+        <translation>撤销此处的更改</translation>
+    </message>
+    <message>
+        <source>&amp;Save manifest…</source>
+        <translation>保存清单(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Writes what stands here as session.yaml: the folder then opens as any other session</source>
+        <translation>将此处内容写为 session.yaml：此后该文件夹可像其他数据一样打开</translation>
+    </message>
+    <message>
+        <source>Save and &amp;open</source>
+        <translation>保存并打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Looking at %1…</source>
+        <translation>正在查看 %1…</translation>
+    </message>
+    <message>
+        <source>It opens without an import, too: %1</source>
+        <translation>无需导入也可打开：%1</translation>
+    </message>
+    <message>
+        <source>Say above each column what it is; the checks below compare it with the drive at every change.</source>
+        <translation>在每列上方选择其含义；每次更改后，下方的核对会将其与行驶比较。</translation>
+    </message>
+    <message>
+        <source>%1 says itself what it holds: there are no columns to choose.</source>
+        <translation>%1 自带说明：无需选择列。</translation>
+    </message>
+    <message>
+        <source>No table with columns enough for time, position and attitude was found.</source>
+        <translation>没有找到列数足以包含时间、位置和姿态的表格。</translation>
+    </message>
+    <message>
+        <source>Motion of the INS</source>
+        <translation>INS 的运动</translation>
+    </message>
+    <message>
+        <source>none was found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>none were found: add the folder that holds them</source>
+        <translation>未找到：请添加其所在的文件夹</translation>
+    </message>
+    <message>
+        <source>Not used</source>
+        <translation>未使用</translation>
+    </message>
+    <message>
+        <source>It cannot be opened yet: %1</source>
+        <translation>尚不能打开：%1</translation>
     </message>
 </context>
 <context>
@@ -4871,6 +5125,105 @@ Everything else works.</source>
     <message>
         <source>OpenGL 3.2 is needed, this display offers %1.%2</source>
         <translation>需要 OpenGL 3.2，此显示只有 %1.%2</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::import_words</name>
+    <message>
+        <source>Heading from north, clockwise; nose up positive</source>
+        <translation>航向自北顺时针；抬头为正</translation>
+    </message>
+    <message>
+        <source>Yaw from east, counter-clockwise; nose down positive</source>
+        <translation>偏航自东逆时针；低头为正</translation>
+    </message>
+    <message>
+        <source>NovAtel: azimuth from north, axes right-forward-up</source>
+        <translation>NovAtel：方位角自北，轴为右-前-上</translation>
+    </message>
+    <message>
+        <source>Quaternion, vehicle to east-north-up (ROS)</source>
+        <translation>四元数，车体到东-北-天（ROS）</translation>
+    </message>
+    <message>
+        <source>Quaternion, forward-right-down to north-east-down</source>
+        <translation>四元数，前-右-下到北-东-地</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>毫秒</translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation>微秒</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation>纳秒</translation>
+    </message>
+    <message>
+        <source>date or time of day</source>
+        <translation>日期或时刻文本</translation>
+    </message>
+    <message>
+        <source>UTC, since 1970 (Unix)</source>
+        <translation>UTC，自 1970 年（Unix）</translation>
+    </message>
+    <message>
+        <source>GPS, since 1980 or of a week</source>
+        <translation>GPS，自 1980 年或按周</translation>
+    </message>
+    <message>
+        <source>GPS, of a week that is not given</source>
+        <translation>GPS 周内秒，未给出周数</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>position in degrees</source>
+        <translation>位置以度计</translation>
+    </message>
+    <message>
+        <source>position in radians</source>
+        <translation>位置以弧度计</translation>
+    </message>
+    <message>
+        <source>angles in degrees</source>
+        <translation>角度以度计</translation>
+    </message>
+    <message>
+        <source>angles in radians</source>
+        <translation>角度以弧度计</translation>
+    </message>
+    <message>
+        <source>heading turned round</source>
+        <translation>航向反向</translation>
+    </message>
+    <message>
+        <source>pitch turned round</source>
+        <translation>俯仰反向</translation>
+    </message>
+    <message>
+        <source>roll turned round</source>
+        <translation>横滚反向</translation>
+    </message>
+    <message>
+        <source>heading as usual</source>
+        <translation>航向不反向</translation>
+    </message>
+    <message>
+        <source>pitch as usual</source>
+        <translation>俯仰不反向</translation>
+    </message>
+    <message>
+        <source>roll as usual</source>
+        <translation>横滚不反向</translation>
     </message>
 </context>
 <context>

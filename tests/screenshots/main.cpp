@@ -9,6 +9,7 @@
 #include "app/gui/basics/language.h"
 #include "app/gui/features/project_feature.h"
 #include "app/gui/window_host.h"
+#include "tests/screenshots/imports.h"
 #include "tests/screenshots/tour.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/basics/theme.h"
@@ -85,14 +86,17 @@ int main(int argc, char** argv) {
   const QCommandLineOption tour("tour", "every page and dialog, instead of README's pictures"), dark("dark", "dark"),
       language("language", "of the tour", "code", "en"), width("width", "of the window", "pixels", "1440"),
       height("height", "of the window", "pixels", "900");
-  parser.addOptions({tour, dark, language, width, height});
+  const QCommandLineOption imports("import", "the page that imports tables, of sessions that no reader knows");
+  parser.addOptions({tour, imports, dark, language, width, height});
   parser.addHelpOption();
   parser.process(application);
   QStringList sessions = parser.positionalArguments();
   if (sessions.isEmpty()) parser.showHelp(1);
   const QString folder = sessions.takeFirst();
-  if (!parser.isSet(tour)) return remount::testing::Photographer(folder).take_all() ? 0 : 2;
+  if (!parser.isSet(tour) && !parser.isSet(imports)) return remount::testing::Photographer(folder).take_all() ? 0 : 2;
   remount::testing::TourRequest request{folder, sessions, parser.value(language), {}, parser.isSet(dark)};
   request.size = {parser.value(width).toInt(), parser.value(height).toInt()};
-  return remount::testing::take_tour(request) ? 0 : 2;
+  const bool taken =
+      parser.isSet(imports) ? remount::testing::take_imports(request) : remount::testing::take_tour(request);
+  return taken ? 0 : 2;
 }

@@ -44,8 +44,8 @@ TEST_F(open_menu, stands_behind_every_button_that_opens) {
     entries << QString(action->text()).remove('&');
     keys << action->shortcut().toString();
   }
-  EXPECT_EQ(entries.join(", "), "Folder of a drive…, Log or bag file…, Project…");
-  EXPECT_EQ(keys.join(", "), "Ctrl+O, Ctrl+Shift+O, Ctrl+P");
+  EXPECT_EQ(entries.join(", "), "Folder of a drive…, Log or bag file…, Import a table…, Project…");
+  EXPECT_EQ(keys.join(", "), "Ctrl+O, Ctrl+Shift+O, Ctrl+I, Ctrl+P");
   EXPECT_FALSE(menu->isVisible());
   child<StepBar>().findChildren<QToolButton*>().first()->click();
   EXPECT_TRUE(menu->isVisible()) << "the first step asks the same";

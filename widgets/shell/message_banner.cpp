@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -11,7 +12,8 @@
 
 namespace remount::widgets {
 
-MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel), scroll_(new QScrollArea(this)) {
+MessageBanner::MessageBanner(QWidget* parent)
+    : QFrame(parent), text_(new QLabel), scroll_(new QScrollArea(this)), offer_(new QPushButton(this)) {
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -34,8 +36,22 @@ MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 6, 6, 6);
   layout->addWidget(scroll_, 1);
+  layout->addWidget(offer_, 0, Qt::AlignTop);
   layout->addWidget(close, 0, Qt::AlignTop);
+  offer_->hide();
+  connect(offer_, &QPushButton::clicked, this, [this] {
+    const std::function<void()> act = act_;
+    hide();
+    if (act) act();
+  });
   hide();
+}
+
+void MessageBanner::offer(const QString& label, const std::function<void()>& act) {
+  act_ = act;
+  offer_->setText(label);
+  offer_->show();
+  fit_height();
 }
 
 void MessageBanner::show_message(drive::Severity severity, const QString& where, const QString& what) {
@@ -47,6 +63,8 @@ void MessageBanner::show_message(drive::Severity severity, const QString& where,
   QString text = severity_sign(severity) + QStringLiteral("  ");
   if (!where.isEmpty()) text += where + '\n';
   text_->setText(text + what);
+  act_ = {};
+  offer_->hide();
   show();
   scroll_->verticalScrollBar()->setValue(0);
   fit_height();

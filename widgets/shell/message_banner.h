@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QFrame>
+#include <functional>
 
 #include "model/drive/session.h"
 
 class QLabel;
+class QPushButton;
 class QScrollArea;
 
 namespace remount::widgets {
@@ -15,6 +17,8 @@ class MessageBanner : public QFrame {
  public:
   explicit MessageBanner(QWidget* parent = nullptr);
   void show_message(drive::Severity severity, const QString& where, const QString& what);
+  /// A button beside the message that is shown: what can be done about it. It goes with the message.
+  void offer(const QString& label, const std::function<void()>& act);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -23,6 +27,8 @@ class MessageBanner : public QFrame {
   void fit_height();
   QLabel* text_;
   QScrollArea* scroll_;
+  QPushButton* offer_;
+  std::function<void()> act_;
 };
 
 }  // namespace remount::widgets

@@ -3,6 +3,7 @@
 #include "app/gui/features/candidates_feature.h"
 #include "app/gui/features/drive_feature.h"
 #include "app/gui/features/help_feature.h"
+#include "app/gui/features/import_feature.h"
 #include "app/gui/features/log_feature.h"
 #include "app/gui/features/map_feature.h"
 #include "app/gui/features/methods_feature.h"
@@ -21,6 +22,7 @@ std::vector<MakeFeature> all_features() {
   return {
       plug<RunFeature>(),         //
       plug<ProjectFeature>(),     //
+      plug<ImportFeature>(),      //
       plug<SetupFeature>(),       //
       plug<ResultFeature>(),      //
       plug<PairsFeature>(),       //

@@ -30,6 +30,10 @@ void HelpFeature::show_help() {
   // A click on a tab or a label gives no panel the keyboard: then it is what lies under the pointer.
   if (page == window_.help_page_of(nullptr) && !workbench_.sessions().empty())
     page = window_.help_page_of(QApplication::widgetAt(QCursor::pos()));
+  show_page(page);
+}
+
+void HelpFeature::show_page(const QString& page) {
   if (!help_) {
     const QString own = ":/help/" + spoken_language();
     help_ = new widgets::HelpWindow(QDir(own).exists() ? own : QStringLiteral(":/help/en"), &window_);

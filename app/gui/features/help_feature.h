@@ -13,6 +13,7 @@ class HelpFeature : public Feature {
   Q_OBJECT
  public:
   explicit HelpFeature(MainWindow& window);
+  void show_page(const QString& page);  ///< by its name in resources/help
 
  private:
   void show_help();

@@ -25,6 +25,7 @@ RunFeature::RunFeature(MainWindow& window)
   });
   connect(&window, &MainWindow::told, this, &RunFeature::tell);
   connect(&workbench_.notices(), &Notices::message, this, &RunFeature::show_message);
+  connect(&workbench_.notices(), &Notices::offered, banner_, &widgets::MessageBanner::offer);
   connect(&workbench_.activity(), &Activity::progressed, progress_, &widgets::ProgressStrip::show_progress);
   connect(&workbench_.document(), &ProjectDocument::replaced, this, &RunFeature::forget_project);
 }

@@ -43,10 +43,11 @@ void SessionList::open(const QStringList& paths) {
 SessionList::Opened SessionList::open_or_ask(const Engine& engine, const std::filesystem::path& path,
                                              Progress& progress) {
   std::optional<drive::TopicOffer> offer = engine.offer_topics ? engine.offer_topics(path, progress) : std::nullopt;
-  if (offer && drive::is_ambiguous(offer->topics)) return {nullptr, std::move(offer), {}, {}, {}};
+  if (offer && drive::is_ambiguous(offer->topics)) return {nullptr, std::move(offer), {}, false, {}, {}};
   return {std::make_shared<const drive::Session>(offer ? offer->open({}, progress) : engine.open(path, {}, progress)),
           {},
           {},
+          false,
           {},
           {}};
 }
@@ -54,11 +55,15 @@ SessionList::Opened SessionList::open_or_ask(const Engine& engine, const std::fi
 void SessionList::open_chosen(const std::vector<ChosenOffer>& offers) {
   std::vector<ToOpen> wanted;
   for (const ChosenOffer& chosen : offers)
-    wanted.push_back(
-        {chosen.offer.path, [chosen](Progress& progress) {
-           return Opened{
-               std::make_shared<const drive::Session>(chosen.offer.open(chosen.choice, progress)), {}, {}, {}, {}};
-         }});
+    wanted.push_back({chosen.offer.path, [chosen](Progress& progress) {
+                        return Opened{
+                            std::make_shared<const drive::Session>(chosen.offer.open(chosen.choice, progress)),
+                            {},
+                            {},
+                            false,
+                            {},
+                            {}};
+                      }});
   open_all(std::move(wanted));
 }
 
@@ -88,6 +93,7 @@ void SessionList::open_all(std::vector<ToOpen> wanted) {
             for (const auto& path : several.sessions()) opened[i].below << QString::fromStdString(path.string());
           } catch (const Error& error) {
             opened[i].failure = failure_of(error);
+            opened[i].unknown = error.what_happened().code().starts_with("session-unknown");
             if (opened[i].failure.where.isEmpty())
               opened[i].failure.where = QString::fromStdString(wanted[i].path.string());
           }
@@ -124,6 +130,7 @@ void SessionList::find_copies(const Engine& engine, const std::vector<SessionPtr
 void SessionList::take_opened(std::vector<Opened> opened) {
   std::vector<SessionPtr> sessions;
   std::vector<JobFailure> failures;
+  QString unknown;  // the first
   std::vector<drive::TopicOffer> questions;
   for (Opened& one : opened) {
     if (one.session && !one.copy_of.isEmpty())
@@ -135,11 +142,13 @@ void SessionList::take_opened(std::vector<Opened> opened) {
     else if (one.session)
       sessions.push_back(std::move(one.session));
     if (one.question && !is_open(one.question->path, sessions)) questions.push_back(std::move(*one.question));
+    if (one.unknown && unknown.isEmpty()) unknown = one.failure.where;
     if (!one.failure.what.isEmpty()) failures.push_back(std::move(one.failure));
   }
   add(sessions);
   if (failures.size() == 1) desk_.notices.say(drive::Severity::Problem, failures[0].where, failures[0].what);
   if (failures.size() > 1) say_several_failed(failures);
+  if (!unknown.isEmpty()) emit not_recognised(unknown);
   if (!questions.empty()) emit topics_asked(questions);
 }
 

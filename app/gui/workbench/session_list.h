@@ -59,6 +59,8 @@ class SessionList : public WorkbenchPart {
   void session_opened(const QString& path);
   /// These cannot be opened before somebody has said which of their topics are meant.
   void topics_asked(const std::vector<drive::TopicOffer>& offers);
+  /// No reader knows what was to be opened; it was said so.
+  void not_recognised(const QString& path);
   /// A folder that was to be opened is no session, but holds these: somebody has to say which are meant.
   void found_below(const QString& folder, const QStringList& paths);
 
@@ -68,8 +70,9 @@ class SessionList : public WorkbenchPart {
     SessionPtr session;
     std::optional<drive::TopicOffer> question;
     JobFailure failure;
-    QStringList below;  ///< a folder of sessions: these
-    QString copy_of;    ///< the session is the same recording as this one, which is open
+    bool unknown = false;  ///< the failure is that no reader knows it
+    QStringList below;     ///< a folder of sessions: these
+    QString copy_of;       ///< the session is the same recording as this one, which is open
   };
   struct ToOpen {
     std::filesystem::path path;

@@ -1,0 +1,56 @@
+#include "app/gui/features/import_feature.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "app/gui/features/help_feature.h"
+#include "app/gui/shell/main_window.h"
+
+namespace remount::gui {
+
+ImportFeature::ImportFeature(MainWindow& window) : Feature(window) {
+  window.menus().add(MenuPlace::OpenDrive, tr("&Import a table…"), tr("Ctrl+I"), [this] { ask_for_table(); });
+  connect(&workbench_.sessions(), &SessionList::not_recognised, this, [this](const QString& path) {
+    workbench_.notices().offer(tr("Import a table…"), [self = QPointer(this), path] {
+      if (self) self->import(path);
+    });
+  });
+}
+
+void ImportFeature::ask_for_table() {
+  const QString path =
+      QFileDialog::getOpenFileName(&window_, tr("The table with the motion of the INS"), {},
+                                   tr("Tables (*.csv *.txt *.tsv *.dat *.asc *.log *.pos);;All files (*)"));
+  if (!path.isEmpty()) import(path);
+}
+
+void ImportFeature::import(const QString& path) {
+  if (dialog_) dialog_->close();
+  dialog_ = make_dialog();
+  dialog_->show();
+  const QFileInfo info(path);
+  // What belongs to a table lies beside it.
+  if (info.isDir())
+    controller_->look_at({path}, {});
+  else
+    controller_->look_at({info.absolutePath()}, info.absoluteFilePath());
+}
+
+widgets::ImportDialog* ImportFeature::make_dialog() {
+  auto* dialog = new widgets::ImportDialog(&window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  controller_ = new ImportController(workbench_, *dialog);
+  connect(controller_, &ImportController::open_requested, this, &ImportFeature::open);
+  connect(dialog, &widgets::ImportDialog::help_requested, this, [this] {
+    if (auto* help = window_.feature<HelpFeature>()) help->show_page(QStringLiteral("import"));
+  });
+  return dialog;
+}
+
+void ImportFeature::open(const QString& manifest) {
+  if (dialog_) dialog_->close();
+  window_.open_paths({manifest});
+}
+
+}  // namespace remount::gui

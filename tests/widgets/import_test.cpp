@@ -1,0 +1,209 @@
+// A table that no reader knows, made a session in the window.
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <cmath>
+#include <fstream>
+
+#include "app/gui/features/import_feature.h"
+#include "messages/sessions.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/import/check_list.h"
+#include "widgets/import/column_table.h"
+#include "widgets/import/convention_form.h"
+#include "widgets/import/import_dialog.h"
+#include "widgets/shell/message_banner.h"
+
+namespace remount::widgets {
+namespace {
+
+using guesses::ColumnRole;
+using testing::kPatience_ms;
+using testing::WindowFixture;
+
+constexpr std::int64_t kFirst_ns = 1'700'000'000'000'000'000;
+
+/// A table of a vehicle that drives an S on a level road, with x to the east, and a few scans beside it.
+void write_import_data(const QString& folder) {
+  const std::filesystem::path root = folder.toStdString();
+  std::ofstream table(root / "motion.csv");
+  table.precision(12);
+  table << "t,x,y,z,roll,pitch,yaw\n";
+  double x_m = 0.0, y_m = 0.0;
+  for (int i = 0; i <= 500; ++i) {
+    const double time_s = 0.04 * i, yaw_rad = 1.4 * std::sin(0.5 * time_s);
+    table << 1'700'000'000.0 + time_s << ',' << x_m << ',' << y_m << ',' << 0.4 * std::sin(0.3 * time_s) << ",0.1,0.2,"
+          << yaw_rad * 180.0 / M_PI << '\n';
+    x_m += 0.32 * std::cos(yaw_rad), y_m += 0.32 * std::sin(yaw_rad);
+  }
+  std::filesystem::create_directories(root / "scans");
+  for (int scan = 0; scan < 4; ++scan) {
+    std::ofstream cloud(root / "scans" / (std::to_string(kFirst_ns + scan * 1'000'000'000LL) + ".pcd"));
+    cloud << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 40\nHEIGHT 1\nPOINTS 40\nDATA "
+             "ascii\n";
+    for (int point = 0; point < 40; ++point) cloud << point << ' ' << 0.5 * point << " 1\n";
+  }
+}
+
+/// Folders of tables are no session, and manifests are one.
+gui::Engine engine_of_manifests(std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.open = [](const std::filesystem::path& path, const drive::TopicChoice&, Progress&) {
+    if (path.extension() != ".yaml") throw Error(ErrorCode::Unsupported, path.string(), say::session_unknown({}));
+    drive::Session session = testing::sample_session("imported");
+    session.path = path;
+    return session;
+  };
+  return engine;
+}
+
+class import_page : public WindowFixture {
+ protected:
+  import_page() : WindowFixture(&engine_of_manifests) {}
+  void SetUp() override {
+    show();
+    write_import_data(folder_.path());
+  }
+  void open_page() {
+    feature().import(folder_.path());
+    ASSERT_TRUE(page());
+    ASSERT_TRUE(checked());
+  }
+  gui::ImportFeature& feature() { return *window_.feature<gui::ImportFeature>(); }
+  ImportDialog* page() { return window_.findChild<ImportDialog*>(); }
+  bool checked() {
+    return QTest::qWaitFor(
+        [&] { return page()->choice().table && page()->checks().isEnabled() && !page()->checks().text().isEmpty(); },
+        kPatience_ms);
+  }
+  void choose(std::size_t column, ColumnRole role) {
+    QComboBox* list = page()->columns().roles_of(column);
+    list->setCurrentIndex(list->findData(static_cast<int>(role)));
+    emit list->activated(list->currentIndex());
+  }
+  static QPushButton& button(QWidget& parent, const QString& text) {
+    for (QPushButton* one : parent.findChildren<QPushButton*>())
+      if (one->text().remove('&') == text) return *one;
+    throw std::logic_error("no button " + text.toStdString());
+  }
+  QString manifest() const { return folder_.filePath("session.yaml"); }
+  std::string text_of(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+  }
+  /// Answers the next question.
+  void answer(QMessageBox::StandardButton with) {
+    QTimer::singleShot(100, this_, [this, with] {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        ++asked_;
+        box->button(with)->click();
+      }
+    });
+  }
+  QTemporaryDir folder_;
+  QObject owner_;
+  QObject* this_ = &owner_;
+  int asked_ = 0;
+};
+
+TEST_F(import_page, is_offered_where_nothing_is_known) {
+  window_.open_paths({folder_.path()});
+  auto& banner = child<MessageBanner>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner.isVisible(); }, kPatience_ms));
+  QPushButton& offer = button(banner, "Import a table…");
+  EXPECT_TRUE(offer.isVisible());
+  photograph(window_, "70-import-offered");
+  offer.click();
+  ASSERT_TRUE(page());
+  EXPECT_FALSE(banner.isVisible());
+  EXPECT_TRUE(checked());
+  banner.show_message(drive::Severity::Problem, "elsewhere", "something else");
+  EXPECT_FALSE(offer.isVisible()) << "it was about another message";
+}
+
+TEST_F(import_page, presets_what_was_guessed_and_says_why) {
+  open_page();
+  photograph(*page(), "71-import");
+  EXPECT_EQ(page()->columns().roles_of(0)->currentText(), "time");
+  EXPECT_EQ(page()->columns().roles_of(1)->currentText(), "east (x)");
+  EXPECT_EQ(page()->columns().roles_of(6)->currentText(), "heading, yaw");
+  EXPECT_TRUE(texts_of(page()->conventions()).contains("OPEN")) << texts_of(page()->conventions()).toStdString();
+  EXPECT_TRUE(page()->checks().text().contains("501 of 501 rows")) << page()->checks().text().toStdString();
+  EXPECT_TRUE(button(*page(), "Save and open").isEnabled());
+  EXPECT_FALSE(button(*page(), "As guessed").isEnabled());
+  EXPECT_LE(page()->minimumSizeHint().width(), 1366);
+  EXPECT_LE(page()->minimumSizeHint().height(), 720);
+}
+
+TEST_F(import_page, a_changed_role_changes_the_checks_at_once) {
+  open_page();
+  EXPECT_FALSE(page()->checks().text().contains("does not follow the drive"));
+  choose(1, ColumnRole::North);
+  EXPECT_EQ(page()->columns().roles_of(2)->currentText(), "east (x)") << "the roles are exchanged";
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->checks().text().contains("does not follow the drive")) << page()->checks().text().toStdString();
+  photograph(*page(), "72-import-wrong");
+  choose(0, ColumnRole::Ignored);
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->checks().text().contains("Choose a column for: time")) << page()->checks().text().toStdString();
+  EXPECT_FALSE(button(*page(), "Save and open").isEnabled());
+  button(*page(), "As guessed").click();
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->checks().text().contains("501 of 501 rows"));
+  EXPECT_TRUE(button(*page(), "Save and open").isEnabled());
+}
+
+TEST_F(import_page, another_reading_that_fits_is_one_choice) {
+  open_page();
+  QComboBox* readings = nullptr;
+  for (QComboBox* list : page()->conventions().findChildren<QComboBox*>())
+    if (list->accessibleName() == "Other readings that fit" && list->isVisible()) readings = list;
+  ASSERT_TRUE(readings);
+  int row = 0;
+  for (int i = 1; i < readings->count(); ++i)
+    if (readings->itemText(i).startsWith("x: north (y), y: east (x)")) row = i;
+  ASSERT_GT(row, 0) << readings->itemText(1).toStdString();
+  emit readings->activated(row);
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(page()->choice().choices.column(ColumnRole::East), 2U);
+  EXPECT_FALSE(page()->checks().text().contains("does not follow the drive")) << page()->checks().text().toStdString();
+}
+
+TEST_F(import_page, saves_and_opens_and_replaces_nothing_without_asking) {
+  open_page();
+  button(*page(), "Save and open").click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.sessions().empty(); }, kPatience_ms));
+  EXPECT_EQ(workbench_.sessions().all().front()->path, manifest().toStdString());
+  const std::string first = text_of(manifest());
+  EXPECT_NE(first.find("position: {east: x, north: y, up: z}"), std::string::npos) << first;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page(); }, kPatience_ms));
+
+  open_page();
+  choose(1, ColumnRole::North);
+  ASSERT_TRUE(checked());
+  answer(QMessageBox::No);
+  feature().controller()->save(manifest());
+  EXPECT_EQ(asked_, 1);
+  QTest::qWait(100);
+  EXPECT_EQ(text_of(manifest()), first) << "nobody wanted it";
+  answer(QMessageBox::Yes);
+  feature().controller()->save(manifest());
+  EXPECT_EQ(asked_, 2);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text_of(manifest()) != first; }, kPatience_ms));
+  EXPECT_NE(text_of(manifest()).find("east: y, north: x"), std::string::npos) << text_of(manifest());
+  EXPECT_TRUE(page()) << "it stays open";
+}
+
+TEST_F(import_page, says_what_is_wrong_with_a_place_that_cannot_be_looked_at) {
+  feature().import(folder_.filePath("nowhere/at-all"));
+  ASSERT_TRUE(page());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return texts_of(*page()).contains("nowhere"); }, kPatience_ms));
+  EXPECT_FALSE(button(*page(), "Save manifest…").isEnabled());
+}
+
+}  // namespace
+}  // namespace remount::widgets

@@ -1,0 +1,82 @@
+// A table that no reader knows, made a session: what lies there, what each column is, whether that goes with the data.
+#pragma once
+
+#include <QDialog>
+#include <memory>
+#include <set>
+
+#include "model/guesses/table_import.h"
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace remount::widgets {
+
+class CheckList;
+class ColumnTable;
+class ConventionForm;
+class DriveMap;
+
+/// Shows values and says what was asked for; whoever owns it looks at files, checks and saves.
+class ImportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit ImportDialog(QWidget* parent = nullptr);
+
+  void show_looking(const QString& where);  ///< until there is something
+  void show_problem(const QString& what);   ///< nothing could be looked at
+  void show_data(std::shared_ptr<const guesses::ImportData> found);
+  void show_table(const guesses::ImportTable& table);  ///< another of the tables
+  void show_checking();
+  void show_checks(const guesses::ImportChecks& checks, const std::vector<Message>& missing);
+  void show_note(const QString& text);  ///< above the buttons, until something is changed
+
+  guesses::ImportChoice choice() const { return {table_, choices_, left_out_}; }
+  CheckList& checks() const { return *checks_; }
+  ColumnTable& columns() const { return *columns_; }
+  ConventionForm& conventions() const { return *conventions_; }
+
+ public slots:
+  void choose(const guesses::TableChoices& choices);
+
+ signals:
+  void edited();  ///< choice() is another
+  void table_requested(const QString& file);
+  void folder_requested();  ///< to look at more
+  void files_requested();
+  void save_requested();
+  void open_requested();
+  void help_requested();
+
+ private:
+  QWidget* make_files();
+  QWidget* make_buttons();
+  void fill_files();
+  QTreeWidgetItem* add_heading(const QString& title);
+  void add_tables();
+  void add_scans();
+  void add_not_used();
+  void mark_table();
+  void take_check(QTreeWidgetItem* item);
+  void ask_for_table(QTreeWidgetItem* item);
+  QString shown_path(const std::filesystem::path& path) const;
+  void show_state();
+
+  std::shared_ptr<const guesses::ImportData> data_;
+  std::optional<guesses::ImportTable> table_;
+  guesses::TableChoices choices_;
+  std::set<std::size_t> left_out_;
+  bool filling_ = false, whole_ = false;
+
+  QLabel *head_, *no_columns_, *status_;
+  QTreeWidget* files_ = nullptr;
+  ColumnTable* columns_;
+  ConventionForm* conventions_;
+  CheckList* checks_;
+  DriveMap* map_;
+  QPushButton *reset_ = nullptr, *save_ = nullptr, *open_ = nullptr;
+};
+
+}  // namespace remount::widgets
