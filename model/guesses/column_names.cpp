@@ -73,6 +73,10 @@ constexpr std::pair<Quantity, std::string_view> kNames[] = {
      "yawsd,sigmayaw,azimuthstd,angleheadingstdev"},
     {Quantity::Quality, "quality"},
     {Quantity::Scan, "file,filename,scan,scanname,pcd,cloud,文件,文件名"},
+    // Beside what is_rate tells: by their last words some would be positions.
+    {Quantity::Other,
+     "v,ve,vn,vu,vd,vx,vy,vz,veast,vnorth,vup,vdown,eastv,northv,upv,vforward,vlateral,vhorizontal,sog,"
+     "groundspeed,东速,北速,天速"},
     {Quantity::Course, "course,cog,track,trackangle,courseoverground,航迹角"},
 };
 

@@ -36,6 +36,9 @@ TEST(column_names, makers_and_people_call_columns_by_many_names) {
                            {"east velocity", Quantity::Other, ""},
                            {"yaw_rate (deg/s)", Quantity::Other, "deg/s"},
                            {"东向速度", Quantity::Other, ""},
+                           {"v_east", Quantity::Other, ""},
+                           {"vn", Quantity::Other, ""},
+                           {"北速", Quantity::Other, ""},
                            {"SDHeight", Quantity::SigmaUp, ""},
                            {"track angle", Quantity::Course, ""}}) {
     const auto found = quantity_of(one.title);
