@@ -42,6 +42,9 @@ class ImportTour {
     const auto checked = [&] { return dialog->checks().isEnabled() && !dialog->checks().text().isEmpty(); };
     if (!QTest::qWaitFor(checked, kLong_ms)) std::fprintf(stderr, "%s is not checked\n", qPrintable(name));
     save(*dialog, name + "-import");
+    const QString manifest = QDir(request_.folder).filePath(name + "-session.yaml");
+    window.feature<gui::ImportFeature>()->controller()->save(manifest);
+    if (!QTest::qWaitFor([&] { return QFileInfo::exists(manifest); }, kLong_ms)) return false;
     dialog->close();
     QTest::qWait(kLateDrawing_ms);  // until it is gone
     return true;

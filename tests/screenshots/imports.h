@@ -5,7 +5,8 @@
 
 namespace remount::testing {
 
-/// Of each session of the request, which no reader knows: what the window says, and the page. False where there is
+/// Of each session of the request, which no reader knows: what the window says, the page, and the
+/// manifest that comes of it. False where there is
 /// none.
 bool take_imports(const TourRequest& request);
 
