@@ -152,63 +152,63 @@ std::size_t seconds_behind(const std::vector<BagEntry>& entries, std::size_t fir
   return end;
 }
 
-/// By what of them lasts.
-using Descriptions = std::map<std::string, std::string>;
+/// A message that may hold a description.
+struct PlaceOfDescription {
+  std::int64_t time_ns = 0;
+  std::size_t topic = 0, message = 0;
+};
 
-void take_descriptions(const BagFile& bag, const BagTopic& topic, const PacketLayout& layout, std::size_t index,
-                       Descriptions& found) {
-  try {
-    const std::string bytes = bag.message(topic.entries[index]);
-    MessageReader reader(bytes, topic.encoding, place_of_message(bag, topic, index));
-    layout.read(reader, [&](const MessagePacket& packet) {
-      const auto position = formats::read_position(packet.bytes);
-      if (position && !position->description.empty()) found.emplace(position->lasting, position->description);
-    });
-  } catch (const Error& error) {
-    if (error.code() == ErrorCode::Io) throw;  // what is damaged is told when it is used
+/// At the begin of topics and in the middle, in the order of the recorder: a sensor that has just started may not know
+/// yet, and of descriptions the first counts.
+std::vector<PlaceOfDescription> places_of_descriptions(const BagFile& bag, const std::vector<std::size_t>& topics) {
+  std::vector<PlaceOfDescription> places;
+  for (const std::size_t topic : topics) {
+    const std::vector<BagEntry>& entries = bag.topics()[topic].entries;
+    std::size_t taken = 0;
+    for (const std::size_t first : {std::size_t{0}, entries.size() / 2})
+      for (const std::size_t end = seconds_behind(entries, first); taken < end; ++taken) {
+        taken = std::max(taken, first);
+        places.push_back({entries[taken].log_time_ns, topic, taken});
+      }
   }
+  std::ranges::stable_sort(places, {}, &PlaceOfDescription::time_ns);
+  return places;
 }
 
-/// At the begin of topics and in the middle: a sensor that has just started may not know yet.
 std::vector<std::string> descriptions_on(const BagFile& bag, const std::vector<std::size_t>& topics,
                                          const Progress& progress) {
-  Descriptions found;
-  for (const std::size_t place : topics) {
-    const BagTopic& topic = bag.topics()[place];
-    const PacketLayout layout = packet_layout(bag, topic);
-    for (const std::size_t first : {std::size_t{0}, topic.entries.size() / 2}) {
-      const std::size_t end = seconds_behind(topic.entries, first);
-      for (std::size_t i = first; i < end && !progress.cancelled(); ++i)
-        take_descriptions(bag, topic, layout, i, found);
+  std::map<std::size_t, PacketLayout> layouts;
+  for (const std::size_t topic : topics) layouts.emplace(topic, packet_layout(bag, bag.topics()[topic]));
+  std::vector<formats::PositionPacket> found;
+  bool more = true;
+  for (const PlaceOfDescription& place : places_of_descriptions(bag, topics)) try {
+      if (!more || progress.cancelled()) break;
+      const BagTopic& topic = bag.topics()[place.topic];
+      const std::string bytes = bag.message(topic.entries[place.message]);
+      MessageReader reader(bytes, topic.encoding, place_of_message(bag, topic, place.message));
+      layouts.at(place.topic).read(reader, [&](const MessagePacket& packet) {
+        if (const auto position = formats::read_position(packet.bytes))
+          more = formats::take_description(*position, found);
+      });
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;  // what is damaged is told when it is used
     }
-  }
-  std::vector<std::string> descriptions;
-  for (const auto& [lasting, description] : found) descriptions.push_back(description);
-  return descriptions;
+  return formats::texts_of(found);
 }
 
 }  // namespace
 
-std::vector<std::size_t> PacketTopics::lidars_beside(std::size_t lidar) const {
-  std::vector<std::size_t> others;
-  for (const auto& [place, topic] : found)
-    if (place != lidar && topic.is_lidar()) others.push_back(place);
-  return others;
-}
-
 std::vector<std::size_t> PacketTopics::of_lidar(const BagFile& bag, std::size_t lidar) const {
-  const std::vector<std::size_t> others = lidars_beside(lidar);
   std::vector<std::size_t> own{lidar};
-  constexpr std::size_t kMostLidars = 64;  // on no vehicle there are more, and a bag may be made to take for ever
-  if (others.size() > kMostLidars) return own;
+  if (lidars.size() > kMostPacketLidars) return own;
   for (const auto& [place, topic] : found) {
     if (place == lidar || topic.is_lidar()) continue;
     const auto alike = [&, beside = place](std::size_t to) {
       return words_alike(bag.topics()[to].name, bag.topics()[beside].name);
     };
     const std::size_t its = alike(lidar);
-    if (others.empty() || (its > 0 && std::ranges::all_of(others, [&](std::size_t to) { return alike(to) < its; })))
-      own.push_back(place);
+    const bool nearest = std::ranges::all_of(lidars, [&](std::size_t to) { return to == lidar || alike(to) < its; });
+    if (lidars.size() == 1 || (its > 0 && nearest)) own.push_back(place);
   }
   return own;
 }
@@ -223,6 +223,8 @@ PacketTopics examine_packets(const BagFile& bag, const Progress& progress) {
       if (error.code() == ErrorCode::Io) throw;
       topics.found[i].damaged = true;
     }
+  for (const auto& [place, topic] : topics.found)
+    if (topic.is_lidar()) topics.lidars.push_back(place);
   for (auto& [place, topic] : topics.found) try {
       if (topic.decoder && topic.decoder->needs_description())
         topic.decoder->describe(descriptions_on(bag, topics.of_lidar(bag, place), progress),
@@ -268,7 +270,8 @@ formats::PacketIndex PacketStream::made(const std::shared_ptr<const BagFile>& ba
   formats::choose_sensor(index, lidar.name, bag_.files().front().string() + ": " + lidar.name);
   // Chunks may lie in the file in another order than that of time.
   std::ranges::stable_sort(index.sensors.front().packets, {}, &formats::IndexedPacket::offset);
-  for (const std::size_t topic : all_.lidars_beside(lidar_)) {
+  for (const std::size_t topic : all_.lidars) {
+    if (topic == lidar_) continue;
     formats::SensorPackets other;
     other.route.topic = bag_.topics()[topic].name;
     other.decoder = all_.found.at(topic).decoder;

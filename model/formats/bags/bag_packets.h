@@ -23,14 +23,17 @@ struct PacketTopic {
   bool is_lidar() const { return !model.empty() || refused; }
 };
 
+/// On no vehicle there are more, and a bag may be made to take for ever: of more nothing is compared with each other.
+inline constexpr std::size_t kMostPacketLidars = 64;
+
 /// All topics of packets in a bag, each looked at once.
 struct PacketTopics {
   formats::SaidInRecording said;             ///< null: nothing
   std::map<std::size_t, PacketTopic> found;  ///< by their index in BagFile::topics()
+  std::vector<std::size_t> lidars;           ///< those of a LiDAR's points, read or not
   /// The topic of a LiDAR's points, and those on which it says something of itself, of its clock or of its receiver:
   /// each is of the LiDAR whose name it has most words of, and of none where that is open between two.
   std::vector<std::size_t> of_lidar(const BagFile& bag, std::size_t lidar) const;
-  std::vector<std::size_t> lidars_beside(std::size_t lidar) const;
 };
 /// A sensor that needs a description is refused where it gives none within seconds. Returns early where `progress` is
 /// cancelled. Throws Error(Io) where the disk fails.

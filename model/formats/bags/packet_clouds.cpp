@@ -28,14 +28,10 @@ bool says_a_device(std::string_view space) {
   return !words.empty() && std::ranges::find(kKinds, words.back()) == std::end(kKinds);
 }
 
-bool is_sensor_of_packets(const TopicCandidate& candidate) {
-  return candidate.kind == MessageKind::LidarPackets && !candidate.model.empty();
-}
-
 class CloudFinder {
  public:
-  CloudFinder(const BagFile& bag, const std::vector<TopicCandidate>& candidates, const TopicCandidate& packets)
-      : bag_(bag), candidates_(candidates), packets_(packets) {}
+  CloudFinder(const BagFile& bag, const std::vector<const TopicCandidate*>& sensors, const TopicCandidate& packets)
+      : bag_(bag), sensors_(sensors), packets_(packets) {}
 
   bool is_of_packets(const TopicCandidate& cloud) const {
     if (!is_cloud(cloud.kind) || !cloud.point_times || !is_whole_record(bag_, cloud, packets_)) return false;
@@ -58,8 +54,8 @@ class CloudFinder {
   /// Of several sensors whose frame is the same, the one that is called most like the cloud.
   bool is_nearest(const TopicCandidate& cloud) const {
     const std::size_t own = words_alike(name(packets_), name(cloud));
-    return std::ranges::none_of(candidates_, [&](const TopicCandidate& other) {
-      return is_another_sensor(other) && other.frame == packets_.frame && words_alike(name(other), name(cloud)) >= own;
+    return std::ranges::none_of(sensors_, [&](const TopicCandidate* other) {
+      return other != &packets_ && other->frame == packets_.frame && words_alike(name(*other), name(cloud)) >= own;
     });
   }
 
@@ -70,17 +66,12 @@ class CloudFinder {
     if (!says_a_device(space) || !own.space.starts_with(space) || !its.space.starts_with(space)) return false;
     // "ouster_packets" and "velodyne_points" are two, "lidar_packets" and "points" may be one.
     if (own.words.size() > 1 && its.words.size() > 1) return false;
-    return std::ranges::none_of(candidates_, [&](const TopicCandidate& other) {
-      return is_another_sensor(other) && name(other).starts_with(space);
-    });
-  }
-
-  bool is_another_sensor(const TopicCandidate& other) const {
-    return is_sensor_of_packets(other) && other.topic != packets_.topic;
+    return std::ranges::none_of(
+        sensors_, [&](const TopicCandidate* other) { return other != &packets_ && name(*other).starts_with(space); });
   }
 
   const BagFile& bag_;
-  const std::vector<TopicCandidate>& candidates_;
+  const std::vector<const TopicCandidate*>& sensors_;
   const TopicCandidate& packets_;
 };
 
@@ -95,11 +86,17 @@ bool is_whole_record(const BagFile& bag, const TopicCandidate& cloud, const Topi
   return cloud.rate_hz >= kSlowest_hz && common_s >= kLeastShare * all_s;
 }
 
+std::vector<const TopicCandidate*> sensors_of_packets(const std::vector<TopicCandidate>& candidates) {
+  std::vector<const TopicCandidate*> sensors;
+  for (const TopicCandidate& candidate : candidates)
+    if (candidate.kind == MessageKind::LidarPackets && !candidate.model.empty()) sensors.push_back(&candidate);
+  return sensors;
+}
+
 const TopicCandidate* cloud_of_packets(const BagFile& bag, const std::vector<TopicCandidate>& candidates,
+                                       const std::vector<const TopicCandidate*>& sensors,
                                        const TopicCandidate& packets) {
-  constexpr std::ptrdiff_t kMostSensors = 64;  // on no vehicle there are more, and a bag may be made to take for ever
-  if (std::ranges::count_if(candidates, is_sensor_of_packets) > kMostSensors) return nullptr;
-  const CloudFinder finder(bag, candidates, packets);
+  const CloudFinder finder(bag, sensors, packets);
   const auto found =
       std::ranges::find_if(candidates, [&](const TopicCandidate& cloud) { return finder.is_of_packets(cloud); });
   return found == candidates.end() ? nullptr : &*found;

@@ -1,6 +1,7 @@
 #include "model/formats/bags/topic_roles.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "algorithms/core/median.h"
@@ -76,8 +77,8 @@ constexpr double kLeastInsRate_hz = 5.0;
 constexpr double kMuchFaster = 3.0;
 
 constexpr std::size_t kNoOffer = static_cast<std::size_t>(-1);
-/// Of that many candidates fixes are looked for that go with an orientation: no recording has as many topics, and a bag
-/// that is made to take for ever may have thousands of both.
+/// Of that many candidates fixes are looked for that go with an orientation, and what gives the INS more often: no
+/// recording has as many topics, and a bag that is made to take for ever may have thousands of each.
 constexpr std::size_t kMostPairings = 500;
 
 bool is_much_faster(double rate_hz, double than_hz) {
@@ -103,7 +104,10 @@ class Chooser {
         choice_(choice),
         findings_(findings),
         candidates_(candidates_of(bag, packets)),
-        uses_(bag.topics().size()) {}
+        packet_sensors_(sensors_of_packets(candidates_)),
+        uses_(bag.topics().size()) {
+    if (packet_sensors_.size() > kMostPacketLidars) packet_sensors_.clear();
+  }
 
   ChosenTopics choose() {
     TopicRoles roles;
@@ -114,8 +118,8 @@ class Chooser {
       fixes_ = fixes_ || (is_fix(candidate.kind) && !left_out("ins-position"));
     }
     roles.lidar = take("lidar", [&](const TopicCandidate& c) {
-      const bool packets = c.kind == MessageKind::LidarPackets;
-      const TopicCandidate* cloud = packets ? cloud_of_packets(bag_, candidates_, c) : nullptr;
+      const bool packets = c.kind == MessageKind::LidarPackets && !packet_sensors_.empty();
+      const TopicCandidate* cloud = packets ? cloud_of_packets(bag_, candidates_, packet_sensors_, c) : nullptr;
       return cloud ? Fitness{0.0, say::topic_packets_of_cloud(c.model, shown(name(*cloud)))}
                    : fit_lidar(c, is_steady(c.messages, most_clouds) && is_whole_lidar(c));
     });
@@ -148,8 +152,8 @@ class Chooser {
 
   /// Whether packets that can be scans leave it to be one: not a cloud that has but a part of what there is.
   bool is_whole_lidar(const TopicCandidate& cloud) const {
-    return std::ranges::none_of(candidates_, [&](const TopicCandidate& other) {
-      return other.kind == MessageKind::LidarPackets && can_be(other, "lidar") && !is_whole_record(bag_, cloud, other);
+    return std::ranges::none_of(packet_sensors_, [&](const TopicCandidate* packets) {
+      return can_be(*packets, "lidar") && !is_whole_record(bag_, cloud, *packets);
     });
   }
 
@@ -199,7 +203,7 @@ class Chooser {
   /// @param certain only what is of an INS by its type or its name
   const InsOffer* faster_ins(double than_hz, bool certain) const {
     const InsOffer* best = nullptr;
-    for (const InsOffer& offer : ins_offers_)
+    for (const InsOffer& offer : std::span(ins_offers_).first(std::min(ins_offers_.size(), kMostPairings)))
       if (is_much_faster(offer.rate_hz, than_hz) && (offer.certain || !certain) &&
           offer.alone.points > (best ? best->alone.points : 0.0))
         best = &offer;
@@ -223,9 +227,8 @@ class Chooser {
   }
 
   const TopicCandidate* candidate_of(const std::optional<std::size_t>& topic) const {
-    for (const TopicCandidate& candidate : candidates_)
-      if (topic == candidate.topic) return &candidate;
-    return nullptr;
+    const auto found = std::ranges::lower_bound(candidates_, topic.value_or(kNoOffer), {}, &TopicCandidate::topic);
+    return found != candidates_.end() && topic == found->topic ? &*found : nullptr;
   }
 
   std::optional<FasterTopic> faster_than(const TopicRoles& roles) const {
@@ -363,7 +366,8 @@ class Chooser {
   const BagFile& bag_;
   const drive::TopicChoice& choice_;
   std::vector<drive::Finding>& findings_;
-  std::vector<TopicCandidate> candidates_;
+  std::vector<TopicCandidate> candidates_;             ///< by their topics
+  std::vector<const TopicCandidate*> packet_sensors_;  ///< none where these are too many
   std::vector<InsOffer> ins_offers_;
   std::vector<std::size_t> offer_of_topic_;         ///< index of ins_offers_, or kNoOffer
   std::vector<std::vector<drive::TopicUse>> uses_;  ///< of each topic of the bag

@@ -13,14 +13,22 @@ constexpr std::size_t kMostRoutes = 1000;
 /// A sensor that has not been recognised by then is none.
 constexpr std::size_t kMostTries = 1000;
 
-void take_description(const PositionPacket& position, std::vector<PositionPacket>& descriptions) {
+}  // namespace
+
+bool take_description(const PositionPacket& position, std::vector<PositionPacket>& descriptions) {
   constexpr std::size_t kMostDescriptions = 16;  // more are not needed to tell that there are several
   const auto same = [&](const PositionPacket& other) { return other.lasting == position.lasting; };
-  if (descriptions.size() < kMostDescriptions && std::ranges::none_of(descriptions, same))
+  if (descriptions.size() < kMostDescriptions && !position.description.empty() &&
+      std::ranges::none_of(descriptions, same))
     descriptions.push_back(position);
+  return descriptions.size() < kMostDescriptions;
 }
 
-}  // namespace
+std::vector<std::string> texts_of(const std::vector<PositionPacket>& descriptions) {
+  std::vector<std::string> texts;
+  for (const PositionPacket& packet : descriptions) texts.push_back(packet.description);
+  return texts;
+}
 
 IndexedPacket indexed_packet(const PacketGlance& glance, std::size_t bytes) {
   IndexedPacket packet;
@@ -97,10 +105,8 @@ PacketIndex PacketIndexing::made(bool whole) {
 }
 
 void PacketIndexing::describe(const DatagramRoute& key, RoutePackets& route) {
-  std::vector<std::string> descriptions;
-  for (const PositionPacket& packet : passed_.descriptions[key.address]) descriptions.push_back(packet.description);
   try {
-    route.sensor.decoder->describe(descriptions, name_ + ": " + to_string(key));
+    route.sensor.decoder->describe(texts_of(passed_.descriptions[key.address]), name_ + ": " + to_string(key));
   } catch (const Error& error) {
     route.refused = error;
     route.sensor = {};
@@ -147,7 +153,7 @@ bool PacketIndexing::take_position(const Datagram& datagram, RoutePackets& route
     receiver.sentences += position->sentences;
     last_sentences_[datagram.route.address] = position->sentences;
   }
-  if (!position->description.empty()) take_description(*position, passed_.descriptions[datagram.route.address]);
+  take_description(*position, passed_.descriptions[datagram.route.address]);
   route.positions = true;
   return true;
 }

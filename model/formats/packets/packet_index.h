@@ -111,6 +111,12 @@ struct PacketMake {
 std::optional<PacketMake> make_of_packet(std::string_view payload, const BesidePackets& beside,
                                          const std::string& where);
 
+/// Adds what the sensor says of itself, if it does and nothing with the same lasting part has been taken: of these the
+/// first counts. False once there are so many that no more are taken.
+bool take_description(const PositionPacket& position, std::vector<PositionPacket>& descriptions);
+/// For PacketDecoder::describe.
+std::vector<std::string> texts_of(const std::vector<PositionPacket>& descriptions);
+
 /// Takes the packets of a recording in its order, and sorts them by where they come from.
 class PacketIndexing {
  public:
