@@ -256,20 +256,28 @@ bool names_enough(const TextLayout& layout) {
          there >= static_cast<std::ptrdiff_t>(kLeastColumns);
 }
 
-/// False where no column can be a latitude and none a longitude, whose names have "lat" and "lon": of a line of numbers
-/// that is known sooner than what its columns are called.
-bool may_name_places(std::string_view line) {
+/// Whether columns may be a latitude and a longitude, whose names have "lat" and "lon": of a line of numbers that is
+/// known sooner than what its columns are called.
+struct MayName {
   bool latitude = false, longitude = false;
+};
+constexpr MayName may_name(std::string_view line) {
+  MayName may;
   char before_last = ' ', last = ' ';
   for (const char c : line) {
     const char small = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     if (!((small >= 'a' && small <= 'z') || (small >= '0' && small <= '9'))) continue;
-    latitude = latitude || (before_last == 'l' && last == 'a' && small == 't');
-    longitude = longitude || (before_last == 'l' && last == 'o' && small == 'n');
+    may.latitude = may.latitude || (before_last == 'l' && last == 'a' && small == 't');
+    may.longitude = may.longitude || (before_last == 'l' && last == 'o' && small == 'n');
     before_last = last, last = small;
   }
-  return latitude && longitude;
+  return may;
 }
+// Every name in the list passes; one that does not, such as "phi", needs another look above.
+static_assert(std::ranges::all_of(kNames, [](const auto& name) {
+  return (name.second != TextColumn::Latitude || may_name(name.first).latitude) &&
+         (name.second != TextColumn::Longitude || may_name(name.first).longitude);
+}));
 
 /// "UTC+1.00", with whatever mark of decimals, and "UTC+5:30". UTC itself where no number follows; nothing where what
 /// follows is no zone.
@@ -334,7 +342,7 @@ std::optional<TextLayout> find_text_layout(std::string_view text) {
   for (std::string_view line; lines.next(line) && lines.line_number() <= kMostHeadLines;) {
     inertial_explorer = inertial_explorer || line.find("Inertial Explorer") != std::string_view::npos;
     qinertia = qinertia || line.find("Qinertia") != std::string_view::npos;
-    if (!may_name_places(line)) continue;
+    if (const MayName may = may_name(line); !may.latitude || !may.longitude) continue;
     std::string_view names = line;
     if (const std::size_t mark = names.find_first_of("#%"); mark == 0) names.remove_prefix(1);
     const char separator = separator_of(names);

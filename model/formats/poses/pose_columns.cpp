@@ -158,9 +158,15 @@ PoseColumns usual_pose_columns(bool numbered) {
   return columns;
 }
 
+bool holds_letters(std::string_view line) {
+  return std::ranges::any_of(line, [](char c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    return static_cast<unsigned char>(c) > 0x7f || (letter && c != 'e' && c != 'E');
+  });
+}
+
 std::optional<PoseColumns> named_pose_columns(std::string_view line) {
-  // Of a line of numbers it is known so that no column is the w of a quaternion, before they are looked at.
-  if (line.find_first_of("wW") == std::string_view::npos) return std::nullopt;
+  if (!holds_letters(line)) return std::nullopt;  // known sooner than what each column is called
   Found found;
   const std::vector<std::string> names = names_of(line);
   for (std::size_t i = 0; i < names.size(); ++i) found.add(column_name(names[i]), i);

@@ -26,6 +26,9 @@ PoseColumns usual_pose_columns(bool numbered);
 /// `field.pose.pose.position.x`). Nothing where it does not name time, position and quaternion.
 std::optional<PoseColumns> named_pose_columns(std::string_view line);
 
+/// Of any script, but for the e of "1e-5": false of a line of numbers, which names nothing.
+bool holds_letters(std::string_view line);
+
 /// Nanoseconds in one unit of stamps that nobody names, from the stamps at the begin of a file. Times since 1970 say it
 /// by their size where their steps are not too long for it; of others seconds are taken where their steps may be, and
 /// another unit where it is the only one that may. Nothing where none or several may.

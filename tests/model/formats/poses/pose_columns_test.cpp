@@ -146,6 +146,13 @@ TEST(pose_columns, units_that_several_sizes_allow_are_not_guessed) {
   EXPECT_ERROR(read_pose_file(path, PoseFormat::Tum, findings), "the unit of its times cannot be told");
 }
 
+TEST(pose_columns, are_looked_for_in_whatever_has_letters) {
+  for (const char* numbers : {"", "1 2 3", "-1.5e+3,2E-4\t;7", "2023-11-14 22:00:05", "# 1 2 / 3"})
+    EXPECT_FALSE(holds_letters(numbers)) << numbers;
+  for (const char* names : {"q0", "1 phi", "lambda", "纬度", "e w", "x", "nan"})
+    EXPECT_TRUE(holds_letters(names)) << names;
+}
+
 TEST(pose_columns, that_lack_something_are_no_header) {
   EXPECT_FALSE(named_pose_columns("# x y z of the base, in metres"));
   EXPECT_FALSE(named_pose_columns("timestamp,tx,ty,tz,yaw,pitch,roll"));
