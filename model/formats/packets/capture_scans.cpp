@@ -147,45 +147,27 @@ bool told_apart(const std::filesystem::path& file, const SensorPackets& one, con
   return other_device && names_address(file, one.route);
 }
 
-/// What lies beside the packets and serves several of its sensors can be of one alone.
-void report_shared_files(const PacketIndex& index, const SensorPackets& packets, const std::string& where,
-                         std::vector<drive::Finding>& findings) {
-  if (packets.decoder->files_are_its_own()) return;
-  for (const std::filesystem::path& file : packets.decoder->files_beside()) {
-    std::vector<std::string> others;
-    bool same_address = false;
-    for (const SensorPackets& sensor : index.sensors) {
-      if (!sensor.decoder || sensor.decoder == packets.decoder || told_apart(file, packets, sensor)) continue;
-      const std::vector<std::filesystem::path> its = sensor.decoder->files_beside();
-      if (std::ranges::find(its, file) == its.end()) continue;
-      others.push_back(name_of(sensor));
-      same_address = same_address || sensor.route.address == packets.route.address;
-    }
-    if (others.empty()) continue;
-    const std::string name = file.filename().string(), own = address_text(packets.route) + file.extension().string();
-    findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-angles", where,
-                                           !packets.route.topic.empty()
-                                               ? say::capture_shared_topics(name, std::move(others), own)
-                                           : same_address ? say::capture_shared_address(name, std::move(others))
-                                                          : say::capture_shared_file(name, std::move(others), own)));
-  }
-}
-
-/// Likewise what the recording says itself.
-void report_shared_topic(const PacketIndex& index, const SensorPackets& packets, const std::string& where,
-                         std::vector<drive::Finding>& findings) {
-  const auto said = packets.decoder->said_beside();
-  if (!said || packets.decoder->files_are_its_own()) return;
+/// What lies beside the packets, or is said in the recording, and serves several of its sensors can be of one alone.
+void report_shared(const SourceBeside& source, const PacketIndex& index, const SensorPackets& packets,
+                   const std::string& where, std::vector<drive::Finding>& findings) {
   std::vector<std::string> others;
+  bool same_address = false;
   for (const SensorPackets& sensor : index.sensors) {
     if (!sensor.decoder || sensor.decoder == packets.decoder) continue;
-    const auto its = sensor.decoder->said_beside();
-    if (its && its->topic == said->topic) others.push_back(name_of(sensor));
+    if (!source.said && told_apart(source.name, packets, sensor)) continue;
+    const auto same = [&](const SourceBeside& its) { return its.name == source.name && its.said == source.said; };
+    if (std::ranges::none_of(sensor.decoder->sources_beside(), same)) continue;
+    others.push_back(name_of(sensor));
+    same_address = same_address || sensor.route.address == packets.route.address;
   }
-  if (!others.empty())
-    findings.push_back(drive::make_finding(
-        drive::Severity::Warning, "capture-angles", where,
-        say::capture_shared_topics(said->topic, std::move(others), address_text(packets.route) + said->ending)));
+  if (others.empty()) return;
+  const std::string name = source.said ? source.name.string() : source.name.filename().string(),
+                    own = address_text(packets.route) + source.ending;
+  findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-angles", where,
+                                         source.said || !packets.route.topic.empty()
+                                             ? say::capture_shared_topics(name, std::move(others), own)
+                                         : same_address ? say::capture_shared_address(name, std::move(others))
+                                                        : say::capture_shared_file(name, std::move(others), own)));
 }
 
 }  // namespace
@@ -198,12 +180,14 @@ std::shared_ptr<const PacketScanSource> take_scans(PacketIndex& index, std::size
     session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-index", file, index.remark));
   packets.foreign += settle_second_parts(packets.packets);
   report_unused(packets, where, session.findings);
-  for (const std::filesystem::path& beside : packets.decoder->files_beside()) session.files.push_back(beside);
+  const std::vector<SourceBeside> sources = packets.decoder->sources_beside();
+  for (const SourceBeside& source : sources)
+    if (!source.said) session.files.push_back(source.name);
   if (Message remark = packets.decoder->remark(); !remark.empty())
     session.findings.push_back(
         drive::make_finding(drive::Severity::Warning, "capture-angles", where, std::move(remark)));
-  report_shared_files(index, packets, where, session.findings);
-  report_shared_topic(index, packets, where, session.findings);
+  for (const SourceBeside& source : sources)
+    if (!source.of_this_sensor) report_shared(source, index, packets, where, session.findings);
   const auto receiver = index.receivers.find(packets.route.address);
   settle_clock(packets.packets,
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,

@@ -52,10 +52,7 @@ class HesaiDecoder final : public PacketDecoder {
   std::string model() const override { return std::string(model_.name); }
   std::uint32_t places() const override { return kHesaiTurn; }
   void look_beside(const BesidePackets& beside, std::string_view payload, const std::string& where) override;
-  std::vector<std::filesystem::path> files_beside() const override {
-    return file_ ? std::vector{*file_} : std::vector<std::filesystem::path>{};
-  }
-  std::optional<SaidBeside> said_beside() const override { return said_; }
+  std::vector<SourceBeside> sources_beside() const override { return sources_; }
   Message remark() const override { return measured_ ? Message() : say::capture_hesai_nominal(model()); }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
@@ -87,8 +84,7 @@ class HesaiDecoder final : public PacketDecoder {
   std::vector<Channel> channels_;
   std::optional<HesaiMirrors> mirrors_;
   bool measured_ = false;  ///< the angles are of a sensor, not of its data sheet
-  std::optional<std::filesystem::path> file_;
-  std::optional<SaidBeside> said_;
+  std::vector<SourceBeside> sources_;
   bool falls_ = false;  ///< it turns counter-clockwise, which packets of one column do not show
 };
 
@@ -102,13 +98,10 @@ void HesaiDecoder::take_angles(const std::vector<double>& elevations_deg, const 
 }
 
 void HesaiDecoder::look_beside(const BesidePackets& beside, std::string_view, const std::string& where) {
-  const std::string wanted = beside.recording.stem().string() + (model_.mirrored ? ".dat" : ".csv");
+  const std::string ending = model_.mirrored ? ".dat" : ".csv", wanted = beside.recording.stem().string() + ending;
   const auto take = [&](const auto& angles) {
     measured_ = true;
-    if (beside.said_on(angles.file))
-      said_ = {angles.file.string(), model_.mirrored ? ".dat" : ".csv"};
-    else
-      file_ = angles.file;
+    sources_ = {{angles.file, beside.said_on(angles.file) != nullptr, ending}};
     take_angles(angles.elevations_deg, angles.azimuths_deg);
   };
   if (model_.mirrored) {

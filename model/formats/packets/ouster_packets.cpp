@@ -64,13 +64,10 @@ class OusterDecoder final : public PacketDecoder {
   }
   std::uint32_t places() const override { return metadata_ ? metadata_->columns_per_turn : 1; }
   void look_beside(const BesidePackets& beside, std::string_view payload, const std::string& where) override;
-  std::vector<std::filesystem::path> files_beside() const override {
-    return metadata_ && !said_ ? std::vector{metadata_->file} : std::vector<std::filesystem::path>{};
+  std::vector<SourceBeside> sources_beside() const override {
+    if (!metadata_) return {};
+    return {{metadata_->file, said_, ".json", own_metadata_}};
   }
-  std::optional<SaidBeside> said_beside() const override {
-    return metadata_ && said_ ? std::optional(SaidBeside{metadata_->file.string(), ".json"}) : std::nullopt;
-  }
-  bool files_are_its_own() const override { return own_metadata_; }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;

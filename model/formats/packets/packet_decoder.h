@@ -83,6 +83,14 @@ struct BesidePackets {
   const SaidOfSensors* said_on(const std::filesystem::path& topic) const;
 };
 
+/// A file beside packets, or what stands in its place, from which a decoder took what packets do not say.
+struct SourceBeside {
+  std::filesystem::path name;   ///< of the file, or of the topic on which the recording says it itself
+  bool said = false;            ///< on a topic
+  std::string ending;           ///< which a file in its place has: ".csv"
+  bool of_this_sensor = false;  ///< the packets say that it is of this very sensor
+};
+
 /// Decodes the packets of one sensor. Thread-safe once it has looked beside them, and been described and tuned.
 class PacketDecoder {
  public:
@@ -96,16 +104,8 @@ class PacketDecoder {
   virtual void look_beside(const BesidePackets& beside, std::string_view payload, const std::string& where) {
     static_cast<void>(beside), static_cast<void>(payload), static_cast<void>(where);
   }
-  /// The files that it found there.
-  virtual std::vector<std::filesystem::path> files_beside() const { return {}; }
-  /// A topic with a file of the sensor, and how the name of such a file ends.
-  struct SaidBeside {
-    std::string topic, ending;
-  };
-  /// What it took there of what the recording says itself; nothing where it took a file, or none.
-  virtual std::optional<SaidBeside> said_beside() const { return std::nullopt; }
-  /// Whether its packets say that these are of this very sensor.
-  virtual bool files_are_its_own() const { return false; }
+  /// What it found there.
+  virtual std::vector<SourceBeside> sources_beside() const { return {}; }
   /// Whether describe() throws without descriptions.
   virtual bool needs_description() const { return false; }
   /// Takes what the sensor says of itself (PositionPacket::description). Descriptions that have the same lasting part

@@ -249,7 +249,7 @@ TEST(hesai_packets, angles_of_the_sensor_are_taken_from_beside_the_capture) {
   folder.write("angles.csv", table(0.1));
   EXPECT_NEAR(elevation(folder), 9.1, 1e-4);
   EXPECT_TRUE(hesai_decoder(payload, folder)->remark().empty());
-  EXPECT_EQ(hesai_decoder(payload, folder)->files_beside().at(0).filename(), "angles.csv");
+  EXPECT_EQ(hesai_decoder(payload, folder)->sources_beside().at(0).name.filename(), "angles.csv");
   folder.write("more.csv", table(0.2));
   EXPECT_ERROR(hesai_decoder(payload, folder), "angles.csv and more.csv");
   folder.write("a.csv", table(0.3));
