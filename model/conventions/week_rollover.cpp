@@ -28,7 +28,8 @@ template <class Items>
 std::int64_t move_to(const TimeSpan& other, bool from_gps_time, const char* stream, Items& items,
                      std::vector<drive::Finding>& findings) {
   const std::int64_t by_ns = week_rollover_ns(span_of_items(items), other, from_gps_time);
-  if (by_ns == 0) return 0;
+  const auto can_move = [&](const auto& item) { return formats::moved_ns(item.stamp_ns, by_ns).has_value(); };
+  if (by_ns == 0 || !std::ranges::all_of(items, can_move)) return 0;
   for (auto& item : items) item.stamp_ns += by_ns;
   findings.push_back(week_rollover_finding(by_ns, stream));
   return by_ns;

@@ -54,7 +54,7 @@ std::vector<drive::ScanFile> stamped_by_name(const std::vector<fs::path>& files,
   drive::BadItems bad;
   for (const fs::path& file : files) {
     if (!has_extension(file, format)) continue;
-    if (const std::optional<std::int64_t> stamp = stamp_of(file.stem().string()); stamp && moved_ns(*stamp, 0))
+    if (const std::optional<std::int64_t> stamp = stamp_of(file.stem().string()); stamp && is_stamp(*stamp))
       scans.push_back({file, *stamp});
     else
       bad.add(say::of_file(file.string(), say::scans_name_no_stamp()));
@@ -88,10 +88,9 @@ std::vector<drive::ScanFile> scans_from_names(const std::vector<fs::path>& files
                                               CloudFormat format, const NameTimes& times,
                                               std::vector<drive::Finding>& findings) {
   return stamped_by_name(files, directory, format, findings, [&](const std::string& stem) {
-    std::optional<std::int64_t> stamp_ns = time_in_name_ns(stem, times.unit_ns);
-    if (stamp_ns) stamp_ns = moved_ns(*stamp_ns, 0);
-    if (stamp_ns && times.scale == TimeScale::Gps) stamp_ns = unix_ns_from_gps_ns(*stamp_ns);
-    return stamp_ns ? moved_ns(*stamp_ns, times.offset_ns) : std::nullopt;
+    const std::optional<std::int64_t> its_ns = time_in_name_ns(stem, times.unit_ns);
+    if (!its_ns || !is_stamp(*its_ns)) return std::optional<std::int64_t>();
+    return moved_ns(times.scale == TimeScale::Gps ? unix_ns_from_gps_ns(*its_ns) : *its_ns, times.offset_ns);
   });
 }
 

@@ -181,9 +181,8 @@ std::int64_t DeclaredRows::stamp_ns() {
 
 std::int64_t DeclaredRows::stamp_before_offset_ns() {
   const std::string_view text = field(time_.time);
-  auto counted = counted_ns(text);
-  if (counted) counted = moved_ns(*counted, 0);
-  if (!counted) fail(no_time(text));
+  const auto counted = counted_ns(text);
+  if (!counted || !is_stamp(*counted)) fail(no_time(text));
   if (time_.gps_week) {
     const auto week = parse_integer(field(*time_.gps_week));
     const auto stamp = week ? unix_ns_from_gps_week(*week, *counted) : std::nullopt;

@@ -10,6 +10,7 @@ namespace remount::formats {
 
 namespace {
 
+constexpr std::int64_t kLargestStamp_ns = 8'000'000'000'000'000'000;
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kGpsEpochUnix_s = 315'964'800;  // 6 January 1980
 constexpr std::int64_t kWeek_s = 604'800;
@@ -94,10 +95,11 @@ int leap_seconds_at_gps_s(std::int64_t gps_s) {
   return leap;
 }
 
+bool is_stamp(std::int64_t ns) { return -kLargestStamp_ns <= ns && ns <= kLargestStamp_ns; }
+
 std::optional<std::int64_t> moved_ns(std::int64_t stamp_ns, std::int64_t by_ns) {
-  constexpr double kLargest_ns = 8e18;
-  const double sum_ns = static_cast<double>(stamp_ns) + static_cast<double>(by_ns);
-  return std::abs(sum_ns) > kLargest_ns ? std::nullopt : std::optional(stamp_ns + by_ns);
+  const double sum_ns = static_cast<double>(stamp_ns) + static_cast<double>(by_ns);  // never beyond its range
+  return std::abs(sum_ns) > static_cast<double>(kLargestStamp_ns) ? std::nullopt : std::optional(stamp_ns + by_ns);
 }
 
 std::int64_t unix_ns_from_gps_ns(std::int64_t gps_ns) {

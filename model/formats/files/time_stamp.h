@@ -21,8 +21,11 @@ std::string format_date_ns(std::int64_t stamp_ns);
 /// For people: "2011-09-26 13:02:25.951 UTC".
 std::string utc_text(std::int64_t stamp_ns);
 
-/// The sum; nothing where it is beyond the times that files may hold (8e18 ns, to 2223): behind them is room for the
-/// differences between time scales.
+/// False beyond the times that files may hold (8e18 ns, to 2223): behind them is room for the differences between time
+/// scales.
+bool is_stamp(std::int64_t ns);
+
+/// The sum; nothing where it is no stamp.
 std::optional<std::int64_t> moved_ns(std::int64_t stamp_ns, std::int64_t by_ns);
 
 /// GPS minus UTC at a GPS time, whole seconds: the table of leap seconds to 2017 (18 s), none announced since.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/motion/clock_alignment.h"
 #include "messages/places.h"
 #include "messages/poses.h"
 #include "model/conventions/week_rollover.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/files/time_stamp.h"
 
 namespace remount::formats {
 
@@ -30,6 +32,28 @@ Message describe(const motion::ClockAlignment& alignment) {
                              alignment.runner_up);
 }
 
+/// Whether differences of their times can be told in nanoseconds.
+bool are_comparable(const motion::RotationStream& a, const motion::RotationStream& b) {
+  const auto [first_ns, last_ns] =
+      std::minmax({a.stamp_ns(0), a.stamp_ns(a.size() - 1), b.stamp_ns(0), b.stamp_ns(b.size() - 1)});
+  constexpr double kMost_ns = 4e18;
+  return is_stamp(first_ns) && is_stamp(last_ns) &&
+         static_cast<double>(last_ns) - static_cast<double>(first_ns) < kMost_ns;
+}
+
+/// False, and nothing is moved, where times would be beyond those that there are.
+bool move_stamps(std::vector<motion::StampedPose>& poses, std::int64_t by_ns) {
+  for (const motion::StampedPose& pose : poses)
+    if (!moved_ns(pose.stamp_ns, by_ns)) return false;
+  for (motion::StampedPose& pose : poses) pose.stamp_ns += by_ns;
+  return true;
+}
+
+void report_not_aligned(Message why, std::vector<drive::Finding>& findings) {
+  findings.push_back(drive::make_finding(drive::Severity::Problem, "clock-ambiguous", say::place_clocks(),
+                                         say::clock_not_aligned(std::move(why))));
+}
+
 }  // namespace
 
 void align_lidar_clock(drive::Session& session, ClockUse clocks) {
@@ -37,17 +61,17 @@ void align_lidar_clock(drive::Session& session, ClockUse clocks) {
   const motion::RotationStream ins =
       session.ins.empty() ? motion::RotationStream(session.world_from_ins) : motion::RotationStream(session.ins);
   if (ins.empty() || session.odometry_from_lidar.empty()) return;
+  if (!are_comparable(ins, motion::RotationStream(session.odometry_from_lidar)))
+    return report_not_aligned(say::clock_times_too_far_apart(), session.findings);
   const bool overlapping = overlap_share(ins, session.odometry_from_lidar) > 0.5;
   const motion::ClockAlignment alignment = motion::align_clocks(ins, session.odometry_from_lidar);
   const bool clear = alignment.found && !alignment.ambiguous;
   const bool needed = clocks == ClockUse::Unsynchronised || !overlapping;
   if (!clear) {
-    if (needed)
-      session.findings.push_back(overlapping
-                                     ? drive::make_finding(drive::Severity::Warning, "clock-ambiguous",
-                                                           say::place_clocks(), say::clock_not_told(alignment.why))
-                                     : drive::make_finding(drive::Severity::Problem, "clock-ambiguous",
-                                                           say::place_clocks(), say::clock_not_aligned(alignment.why)));
+    if (needed && !overlapping) report_not_aligned(alignment.why, session.findings);
+    if (needed && overlapping)
+      session.findings.push_back(drive::make_finding(drive::Severity::Warning, "clock-ambiguous", say::place_clocks(),
+                                                     say::clock_not_told(alignment.why)));
     return;
   }
   // Moving by what may be chance makes clocks worse that agree; a coarse estimate does not show that they do.
@@ -57,8 +81,8 @@ void align_lidar_clock(drive::Session& session, ClockUse clocks) {
                                                    say::clock_agrees(describe(alignment))));
     return;
   }
-  const std::int64_t offset_ns = std::llround(alignment.offset_s * 1e9);
-  for (motion::StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += offset_ns;
+  if (!move_stamps(session.odometry_from_lidar, std::llround(alignment.offset_s * 1e9)))
+    return report_not_aligned(say::clock_times_too_far_apart(), session.findings);
   session.findings.push_back(drive::make_finding(needed ? drive::Severity::Note : drive::Severity::Warning,
                                                  "clock-aligned", say::place_clocks(),
                                                  say::clock_moved(describe(alignment))));

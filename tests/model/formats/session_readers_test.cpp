@@ -151,6 +151,21 @@ TEST(pose_session_reader, clocks_that_are_declared_unsynchronised_and_agree_are_
   EXPECT_NEAR(static_cast<double>(session.odometry_from_lidar[0].stamp_ns - first_ns), 0.0, 3e6);
 }
 
+TEST(pose_session_reader, clocks_that_are_centuries_apart_are_not_added_up) {
+  const TemporaryFolder folder;
+  folder.write("run_vicon.csv", "# t,x,y,z,qx,qy,qz,qw\n" + poses(0, 0.0, ",", 100, 160, 0.02));
+  folder.write("run_camera.txt", poses(0.0, 1.0, " ", 110, 150, 0.1));
+  drive::Session session = open(folder.path());
+  constexpr std::int64_t kFar_ns = 7'000'000'000'000'000'000;
+  for (motion::StampedPose& pose : session.world_from_ins) pose.stamp_ns += kFar_ns;
+  for (motion::StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns -= kFar_ns;
+  const std::int64_t first_ns = session.odometry_from_lidar[0].stamp_ns;
+  align_lidar_clock(session, ClockUse::Shared);
+  EXPECT_EQ(session.findings.back().code, "clock-ambiguous");
+  EXPECT_TRUE(contains(english(session.findings.back().explanation), "more than a hundred years apart"));
+  EXPECT_EQ(session.odometry_from_lidar[0].stamp_ns, first_ns);
+}
+
 TEST(pose_session_reader, ambiguous_names_are_listed) {
   const TemporaryFolder folder;
   folder.write("a_hand.csv", poses(0, 0, ",", 0, 10, 0.1));

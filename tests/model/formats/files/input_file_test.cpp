@@ -107,6 +107,16 @@ TEST(time_stamp, dates_of_both_kinds) {
     EXPECT_FALSE(parse_date_ns(text)) << text;
 }
 
+TEST(time_stamp, sums_stay_within_the_times_of_files) {
+  constexpr std::int64_t kLast_ns = 8'000'000'000'000'000'000;
+  for (const std::int64_t sign : {1, -1}) {
+    EXPECT_TRUE(is_stamp(sign * kLast_ns));
+    EXPECT_FALSE(is_stamp(sign * (kLast_ns + 1)));
+    EXPECT_EQ(moved_ns(sign * (kLast_ns - 5), sign * 5), sign * kLast_ns);
+    EXPECT_FALSE(moved_ns(sign * kLast_ns, sign * kLast_ns));
+  }
+}
+
 TEST(time_stamp, gps_time_with_leap_seconds) {
   // The GPS epoch; and around the leap second at the end of 2016: GPS runs on, UTC repeats a second.
   EXPECT_EQ(unix_ns_from_gps_week(0, 0), 315'964'800'000'000'000);
