@@ -1,14 +1,8 @@
 #include "model/formats/sessions/nuscenes_kept.h"
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <cstdint>
-#include <deque>
-#include <mutex>
-#include <stop_token>
+#include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 namespace remount::formats {
@@ -17,14 +11,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// By what it is seen that a file is still the same.
-struct FileState {
-  std::uintmax_t bytes = 0;
-  fs::file_time_type written;
-  bool operator==(const FileState&) const = default;
-};
+/// Not owned where the waiting was cancelled.
+std::unique_lock<std::timed_mutex> lock_or_cancelled(std::timed_mutex& mutex, const Progress& progress) {
+  std::unique_lock<std::timed_mutex> lock(mutex, std::try_to_lock);
+  while (!lock.owns_lock() && !progress.cancelled()) (void)lock.try_lock_for(std::chrono::milliseconds(10));
+  return lock;
+}
 
-std::vector<FileState> states_of(const fs::path& folder) {
+}  // namespace
+
+std::vector<KeptNuscenes::FileState> KeptNuscenes::states_of(const fs::path& folder) {
   std::vector<FileState> states;
   for (const char* table : kNuscenesTables) {
     const fs::path file = folder / (std::string(table) + ".json");
@@ -37,124 +33,99 @@ std::vector<FileState> states_of(const fs::path& folder) {
 }
 
 /// Times of files come in steps, and of one that was just written another may follow with the same.
-bool are_settled(const std::vector<FileState>& states) {
+bool KeptNuscenes::are_settled(const std::vector<FileState>& states) {
   constexpr std::chrono::seconds kSettles(2);
   const auto now = fs::file_time_type::clock::now();
   return std::all_of(states.begin(), states.end(),
                      [&](const FileState& state) { return state.written + kSettles < now; });
 }
 
-struct Kept {
-  fs::path folder;
-  std::vector<FileState> states;
-  std::shared_ptr<const NuscenesTables> tables;
-  std::shared_ptr<const NuscenesPoses> poses;  ///< null: not read yet
-};
-
-/// What is kept, and a thread that gives it back some time after the last use.
-class KeptTables {
- public:
-  std::mutex mutex;
-  std::deque<Kept> last;  ///< the latest first
-  std::size_t readings = 0;
-  std::chrono::milliseconds keep_for = std::chrono::minutes(2);
-
-  /// With `mutex` locked.
-  void was_used() {
-    last_used_ = std::chrono::steady_clock::now();
-    if (!forgetting_.joinable()) forgetting_ = std::jthread([this](const std::stop_token& stop) { forget(stop); });
-    changed_.notify_all();
-  }
-
- private:
-  void forget(const std::stop_token& stop) {
-    std::unique_lock<std::mutex> lock(mutex);
-    while (!stop.stop_requested()) {
-      if (last.empty())
-        changed_.wait(lock, stop, [this] { return !last.empty(); });
-      else if (std::chrono::steady_clock::now() >= last_used_ + keep_for)
-        last.clear();
-      else
-        changed_.wait_until(lock, stop, last_used_ + keep_for, [before = last_used_, by = keep_for, this] {
-          return last_used_ != before || keep_for != by;
-        });
-    }
-  }
-
-  std::condition_variable_any changed_;
-  std::chrono::steady_clock::time_point last_used_;
-  std::jthread forgetting_;  ///< the last: it ends before what it uses
-};
-
-KeptTables& kept_tables() {
-  static KeptTables kept;
-  return kept;
-}
-
-/// Not owned where the waiting was cancelled.
-std::unique_lock<std::mutex> lock_or_cancelled(std::mutex& mutex, const Progress& progress) {
-  std::unique_lock<std::mutex> lock(mutex, std::try_to_lock);
-  while (!lock.owns_lock() && !progress.cancelled()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    (void)lock.try_lock();
-  }
-  return lock;
-}
-
-}  // namespace
-
-std::shared_ptr<const NuscenesTables> kept_nuscenes_tables(const fs::path& tables, Progress& progress) {
-  constexpr std::size_t kMostKept = 2;  // v1.0-mini beside v1.0-trainval
-  KeptTables& kept = kept_tables();
-  const std::unique_lock<std::mutex> lock = lock_or_cancelled(kept.mutex, progress);
-  if (!lock.owns_lock()) return nullptr;
-  const fs::path folder = fs::absolute(tables).lexically_normal();
-  const std::vector<FileState> states = states_of(folder);
-  const auto before =
-      std::find_if(kept.last.begin(), kept.last.end(), [&](const Kept& one) { return one.folder == folder; });
-  if (before != kept.last.end() && before->states == states) {
-    kept.was_used();
-    return before->tables;
-  }
-  if (before != kept.last.end()) kept.last.erase(before);
-  std::shared_ptr<const NuscenesTables> read = read_nuscenes_tables(tables, progress);
+std::shared_ptr<const NuscenesTables> KeptNuscenes::tables(const fs::path& folder, Progress& progress) {
+  const std::unique_lock<std::timed_mutex> reading = lock_or_cancelled(reading_, progress);
+  if (!reading.owns_lock()) return nullptr;
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  std::vector<FileState> states = states_of(whole);
+  if (auto before = find(whole, states)) return before;
+  std::shared_ptr<const NuscenesTables> read = read_nuscenes_tables(folder, progress);
   if (!read) return nullptr;
-  ++kept.readings;
-  if (!are_settled(states)) return read;
-  kept.last.push_front({folder, states, read, nullptr});
-  if (kept.last.size() > kMostKept) kept.last.pop_back();
-  kept.was_used();
+  count_reading();
+  if (are_settled(states)) keep({whole, std::move(states), read, nullptr});
   return read;
 }
 
-std::shared_ptr<const NuscenesPoses> kept_ego_poses(const std::shared_ptr<const NuscenesTables>& tables,
-                                                    Progress& progress) {
-  KeptTables& kept = kept_tables();
-  const std::unique_lock<std::mutex> lock = lock_or_cancelled(kept.mutex, progress);
-  if (!lock.owns_lock()) return nullptr;
-  const auto of_these =
-      std::find_if(kept.last.begin(), kept.last.end(), [&](const Kept& one) { return one.tables == tables; });
-  if (of_these != kept.last.end()) kept.was_used();
-  if (of_these != kept.last.end() && of_these->poses) return of_these->poses;
+std::shared_ptr<const NuscenesPoses> KeptNuscenes::ego_poses(const std::shared_ptr<const NuscenesTables>& tables,
+                                                             Progress& progress) {
+  const std::unique_lock<std::timed_mutex> reading = lock_or_cancelled(reading_, progress);
+  if (!reading.owns_lock()) return nullptr;
+  Kept of_these = find(tables);
+  if (of_these.poses) return of_these.poses;
   std::shared_ptr<const NuscenesPoses> read = read_ego_poses(*tables, progress);
   if (!read) return nullptr;
-  ++kept.readings;
-  if (of_these != kept.last.end()) of_these->poses = read, kept.was_used();
+  count_reading();
+  of_these.poses = read;
+  if (of_these.tables) keep(std::move(of_these));
   return read;
 }
 
-std::chrono::milliseconds keep_nuscenes_for(std::chrono::milliseconds time) {
-  KeptTables& kept = kept_tables();
-  const std::scoped_lock lock(kept.mutex);
-  const std::chrono::milliseconds before = std::exchange(kept.keep_for, time);
-  kept.was_used();
-  return before;
+std::size_t KeptNuscenes::readings() const {
+  const std::scoped_lock lock(mutex_);
+  return readings_;
 }
 
-std::size_t nuscenes_readings() {
-  KeptTables& kept = kept_tables();
-  const std::scoped_lock lock(kept.mutex);
-  return kept.readings;
+void KeptNuscenes::count_reading() {
+  const std::scoped_lock lock(mutex_);
+  ++readings_;
+}
+
+std::shared_ptr<const NuscenesTables> KeptNuscenes::find(const fs::path& folder, const std::vector<FileState>& states) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(last_, [&](const Kept& one) { return one.folder == folder && one.states != states; });
+  const auto found = std::ranges::find(last_, folder, &Kept::folder);
+  if (found == last_.end()) return nullptr;
+  was_used();
+  return found->tables;
+}
+
+KeptNuscenes::Kept KeptNuscenes::find(const std::shared_ptr<const NuscenesTables>& tables) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = std::ranges::find(last_, tables, &Kept::tables);
+  if (found == last_.end()) return {};
+  was_used();
+  return *found;
+}
+
+/// The time for which it is kept begins anew.
+void KeptNuscenes::was_used() {
+  last_used_ = std::chrono::steady_clock::now();
+  changed_.notify_all();
+}
+
+void KeptNuscenes::keep(Kept kept) {
+  constexpr std::size_t kMostKept = 2;  // v1.0-mini beside v1.0-trainval
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(last_, [&](const Kept& one) { return one.folder == kept.folder; });
+  last_.push_front(std::move(kept));
+  if (last_.size() > kMostKept) last_.pop_back();
+  was_used();
+  if (!forgetting_.joinable()) forgetting_ = std::jthread([this](const std::stop_token& stop) { forget(stop); });
+}
+
+void KeptNuscenes::forget(const std::stop_token& stop) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!stop.stop_requested()) {
+    if (last_.empty())
+      changed_.wait(lock, stop, [this] { return !last_.empty(); });
+    else if (std::chrono::steady_clock::now() >= last_used_ + keep_for_)
+      last_.clear();
+    else
+      changed_.wait_until(lock, stop, last_used_ + keep_for_,
+                          [before = last_used_, this] { return last_used_ != before; });
+  }
+}
+
+KeptNuscenes& kept_nuscenes() {
+  static KeptNuscenes kept(std::chrono::minutes(2));
+  return kept;
 }
 
 }  // namespace remount::formats

@@ -127,7 +127,7 @@ std::optional<ChosenScene> choose_scene(const NuscenesPlace& place, const fs::pa
   std::optional<Error> first_error;
   for (const fs::path& folder : place.tables) {
     try {
-      const std::shared_ptr<const NuscenesTables> tables = kept_nuscenes_tables(folder, progress);
+      const std::shared_ptr<const NuscenesTables> tables = kept_nuscenes().tables(folder, progress);
       if (!tables) return std::nullopt;
       add_scenes_there(tables, place, listed, all);
     } catch (const Error& error) {
@@ -274,7 +274,7 @@ drive::Session NuscenesReader::open_topics(const fs::path& path, const drive::To
   std::stable_sort(sweeps.begin(), sweeps.end(),
                    [](const NuscenesSweep& a, const NuscenesSweep& b) { return a.stamp_ns < b.stamp_ns; });
   const fs::path table = tables.folder / "ego_pose.json";
-  const std::shared_ptr<const NuscenesPoses> poses = kept_ego_poses(chosen->there.tables, progress);
+  const std::shared_ptr<const NuscenesPoses> poses = kept_nuscenes().ego_poses(chosen->there.tables, progress);
   if (!poses) return session;
   session.world_from_ins = poses_of_sweeps(*poses, sweeps, table, session.findings);
   drive::keep_ascending(session.world_from_ins, "pose", table.string(), session.findings);
