@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/core/index.h"
+#include "algorithms/geometry/degree.h"
 #include "algorithms/geometry/rotation.h"
 
 namespace remount::guesses {

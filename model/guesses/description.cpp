@@ -27,18 +27,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Why a reader does not read all that is there; nothing where it does. Some recognise a log of the INS beside clouds
-/// that they do not read.
-std::optional<Message> not_read_because(const formats::SessionReader& reader, const fs::path& path, bool clouds,
-                                        Progress& progress) {
+/// What comes of opening what a reader recognises.
+struct Opened {
+  bool whole = false;  ///< some recognise a log of the INS beside clouds that they do not read
+  std::optional<Message> refused;
+};
+
+Opened opened_by(const formats::SessionReader& reader, const fs::path& path, bool clouds, Progress& progress) {
   try {
     const drive::Session session = reader.open(path, progress);
-    if (!clouds || session.scans || !session.odometry_from_lidar.empty()) return std::nullopt;
-    return say::guess_needs_lidar();
+    return {!clouds || session.scans || !session.odometry_from_lidar.empty(), std::nullopt};
   } catch (const formats::SeveralSessions&) {
-    return std::nullopt;
+    return {true, std::nullopt};
   } catch (const Error& error) {
-    return drive::message_of(error);
+    return {false, drive::message_of(error)};
   }
 }
 
@@ -49,9 +51,11 @@ std::optional<KnownSession> known_session(const std::vector<fs::path>& paths, bo
     const formats::SessionReader* reader = formats::recognise_session(path);
     if (!reader) continue;
     const bool native = reader->id() == "native";  // which may name clouds that lie elsewhere, or none
-    auto why_not = not_read_because(*reader, path, clouds && !native, progress);
-    if (!why_not) return KnownSession{path, std::string(reader->id()), reader->description()};
-    if (native) not_used.push_back({path, say::guess_manifest_refused(std::move(*why_not))});
+    Opened opened = opened_by(*reader, path, clouds && !native, progress);
+    if (opened.whole) return KnownSession{path, std::string(reader->id()), reader->description()};
+    if (opened.refused)
+      not_used.push_back({path, native ? say::guess_manifest_refused(std::move(*opened.refused))
+                                       : say::guess_format_refused(reader->description(), std::move(*opened.refused))});
   }
   return std::nullopt;
 }

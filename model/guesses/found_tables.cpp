@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -37,7 +38,7 @@ class TablesFound {
   std::vector<FoundTable> of(const std::vector<fs::path>& files, const Progress& progress) {
     for (std::size_t i = 0; i < files.size() && !progress.cancelled(); ++i) {
       if (tables_.size() == kMostTables || values_ > kMostValues) {
-        not_used_.push_back({files[i], say::guess_not_looked_at(files.size() - i)});
+        tell_left(std::span(files).subspan(i));
         break;
       }
       try {
@@ -61,6 +62,17 @@ class TablesFound {
     }
     for (const SampledColumn& column : table.columns) values_ += column.values.size();
     tables_.push_back({file, std::move(table)});
+  }
+
+  /// Of texts alone: what else lies there, as pictures, is nothing that anybody would name.
+  void tell_left(std::span<const fs::path> files) {
+    std::vector<fs::path> texts;
+    for (const fs::path& file : files) try {
+        if (is_text(file)) texts.push_back(file);
+      } catch (const Error& error) {
+        not_used_.push_back({file, drive::message_of(error)});
+      }
+    if (!texts.empty()) not_used_.push_back({texts.front(), say::guess_not_looked_at(texts.size())});
   }
 
   void tell_small() {

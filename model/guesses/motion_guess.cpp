@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/core/median.h"
+#include "algorithms/geometry/degree.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/guesses.h"
 #include "model/guesses/motion_hypotheses.h"

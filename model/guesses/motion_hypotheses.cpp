@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <span>
 #include <utility>
+
+#include "algorithms/geometry/degree.h"
 
 namespace remount::guesses {
 namespace {
@@ -33,19 +37,44 @@ std::vector<std::size_t> rows_of(const TimeReading& time) {
   return rows;
 }
 
-/// Stretches from all over the drive, for what is tried by the thousand.
-std::vector<std::size_t> some_stretches(const std::vector<std::size_t>& rows) {
+/// How far a position gets from where a stretch begins, sideways and along: what stands may tremble.
+double reach_m(const std::vector<Eigen::Vector3d>& metres, std::span<const std::size_t> stretch) {
+  const Eigen::Vector3d* from = nullptr;
+  double reach = 0.0;
+  for (const std::size_t row : stretch) {
+    if (!metres[row].allFinite()) continue;
+    if (from == nullptr) from = &metres[row];
+    reach = std::max(reach, (metres[row] - *from).head<2>().norm());
+  }
+  return reach;
+}
+
+/// Stretches from all over the drive in which a position moves, for what is tried by the thousand. Where it moves in
+/// few of them, those in which it moves most.
+std::vector<std::size_t> some_stretches(const std::vector<std::size_t>& rows,
+                                        const std::vector<Eigen::Vector3d>& metres) {
   constexpr std::size_t kStretches = 10, kRows = 200;
+  constexpr double kMoves_m = 5.0;
   if (rows.size() <= kStretches * kRows) return rows;
+  std::vector<std::pair<double, std::size_t>> stretches;  // how far, and where it begins
+  for (std::size_t at = 0; at + kRows <= rows.size(); at += kRows)
+    stretches.emplace_back(reach_m(metres, std::span(rows).subspan(at, kRows)), at);
+  std::ranges::stable_sort(stretches, std::greater(), &std::pair<double, std::size_t>::first);
+  const auto standing = std::ranges::find_if(stretches, [](const auto& one) { return one.first < kMoves_m; });
+  const auto moving = std::max(static_cast<std::size_t>(standing - stretches.begin()), kStretches);
+  stretches.resize(std::min(moving, stretches.size()));
+  std::ranges::sort(stretches, {}, &std::pair<double, std::size_t>::second);
   std::vector<std::size_t> some;
   for (std::size_t i = 0; i < kStretches; ++i) {
-    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(i * (rows.size() - kRows) / (kStretches - 1));
-    some.insert(some.end(), begin, begin + kRows);
+    const std::size_t at = stretches[i * (stretches.size() - 1) / (kStretches - 1)].second;
+    some.insert(some.end(), rows.begin() + static_cast<std::ptrdiff_t>(at),
+                rows.begin() + static_cast<std::ptrdiff_t>(at + kRows));
   }
   return some;
 }
 
-/// Of thousands those whose columns fit some stretches best, with all ways to read these.
+/// Of thousands those whose columns fit some stretches best, with all ways to read these. Of columns that fit alike the
+/// first.
 std::vector<Hypothesis> likeliest_of(std::vector<Hypothesis> all) {
   constexpr std::size_t kKept = 16;
   using Columns = std::pair<const PositionReading*, std::vector<std::size_t>>;
@@ -55,12 +84,11 @@ std::vector<Hypothesis> likeliest_of(std::vector<Hypothesis> all) {
     const auto [found, is_new] = scores_rad.try_emplace(columns_of(one), one.score_rad);
     if (!is_new) found->second = std::min(found->second, one.score_rad);
   }
-  if (scores_rad.size() <= kKept) return all;
-  std::vector<double> sorted_rad;
-  for (const auto& [columns, score_rad] : scores_rad) sorted_rad.push_back(score_rad);
-  std::ranges::nth_element(sorted_rad, sorted_rad.begin() + kKept);
-  const double most_rad = sorted_rad[kKept];
-  std::erase_if(all, [&](const Hypothesis& one) { return scores_rad[columns_of(one)] > most_rad; });
+  std::vector<std::pair<double, Columns>> sorted;
+  for (const auto& [columns, score_rad] : scores_rad) sorted.emplace_back(score_rad, columns);
+  std::ranges::stable_sort(sorted, {}, &std::pair<double, Columns>::first);
+  for (std::size_t i = kKept; i < sorted.size(); ++i) scores_rad.erase(sorted[i].second);
+  std::erase_if(all, [&](const Hypothesis& one) { return !scores_rad.contains(columns_of(one)); });
   return all;
 }
 
@@ -87,21 +115,26 @@ std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNam
   for (const PositionReading& position : positions)
     for (AttitudeReading& attitude : attitude_readings(table, names, time, position))
       out.push_back({&position, std::move(attitude), {}, 0.0});
-  const auto fit = [&](const std::vector<std::size_t>& rows) {
+  const std::vector<std::size_t> rows = rows_of(time);
+  const auto fit = [&](const PositionReading& position, const std::vector<std::size_t>& some) {
     for (Hypothesis& one : out) {
-      if (progress.cancelled()) return;
-      one.fit = travel_fit(poses_of(table, time, *one.position, one.attitude, rows));
-      one.score_rad = score_of(*one.position, one.attitude, one.fit);
+      if (one.position != &position || progress.cancelled()) continue;
+      one.fit = travel_fit(poses_of(table, time, position, one.attitude, some));
+      one.score_rad = score_of(position, one.attitude, one.fit);
     }
   };
-  const std::vector<std::size_t> rows = rows_of(time), some = some_stretches(rows);
   constexpr std::size_t kMany = 200;
   if (out.size() > kMany) {
-    fit(some);
+    bool all_rows = true;
+    for (const PositionReading& position : positions) {
+      const std::vector<std::size_t> some = some_stretches(rows, position.metres);
+      all_rows = all_rows && some.size() == rows.size();
+      fit(position, some);
+    }
     out = likeliest_of(std::move(out));
-    if (some.size() == rows.size()) return out;
+    if (all_rows) return out;
   }
-  fit(rows);
+  for (const PositionReading& position : positions) fit(position, rows);
   return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include "algorithms/core/index.h"
 #include "algorithms/geodesy/earth_radius.h"
+#include "algorithms/geometry/degree.h"
 #include "algorithms/geometry/rotation.h"
 
 namespace remount::guesses {

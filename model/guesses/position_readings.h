@@ -5,13 +5,10 @@
 #include <array>
 #include <vector>
 
-#include "algorithms/geometry/rotation.h"
 #include "model/guesses/sampled_table.h"
 #include "model/guesses/time_guess.h"
 
 namespace remount::guesses {
-
-inline constexpr double kDegree_rad = degrees_to_radians(1.0);
 
 /// One way in which three columns may be a position.
 struct PositionReading {

@@ -156,10 +156,13 @@ TEST_F(misleading_data, numbers_of_scans_with_gaps_are_no_seconds) {
     if (with_table) {
       ASSERT_TRUE(found.lidars[0].table);
       expect_stamps_of_the_drive(found.lidars[0]);
-    } else if (stamps) {
-      EXPECT_EQ(stamps->sureness, Sureness::Open);
-      EXPECT_FALSE(stamps->alternatives.empty());
+      EXPECT_NE(stamps, nullptr);
+      continue;
     }
+    ASSERT_TRUE(stamps) << "they may be seconds, as nothing else is there";
+    EXPECT_EQ(stamps->sureness, Sureness::Open);
+    EXPECT_TRUE(says(stamps->alternatives, "guess-stamps-may-be-numbers"));
+    EXPECT_TRUE(found.open());
   }
 }
 
@@ -303,6 +306,24 @@ TEST_F(misleading_data, a_manifest_that_cannot_be_opened_needs_another) {
   const Description again = described({folder.path()});
   ASSERT_TRUE(again.known) << "now it can";
   EXPECT_EQ(again.known->format, "native");
+}
+
+TEST_F(misleading_data, a_known_format_that_cannot_be_opened_says_why) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  folder.write("2011_09_26_drive_0001_sync/oxts/timestamps.txt", "none\n");
+  folder.write("2011_09_26_drive_0001_sync/oxts/data/0000000000.txt", "none\n");
+  fs::create_directories(folder.path() / "2011_09_26_drive_0001_sync/velodyne_points/data");
+  const fs::path log = folder.write("broken/inspvax.csv", "header.gps_week,azimuth,undulation\nnone,none,none\n");
+  Progress progress;
+  for (const auto& [path, format] : {std::pair(folder.path(), "KITTI"), {log.parent_path(), "NovAtel"}}) {
+    ASSERT_NE(formats::recognise_session(path), nullptr) << path;
+    EXPECT_THROW(formats::open_session(path, progress), Error) << path;
+    const Description found = described({path});
+    EXPECT_FALSE(found.known) << path;
+    EXPECT_TRUE(says_why(found, "cannot be opened")) << path;
+    EXPECT_TRUE(says_why(found, std::string("recognised (") + format)) << path;
+  }
 }
 
 TEST_F(misleading_data, poses_of_which_no_name_tells_the_ins_are_not_read_as_they_are) {

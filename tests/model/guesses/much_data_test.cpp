@@ -62,11 +62,45 @@ TEST_F(much_data, of_many_columns_without_names_the_motion_is_found_and_can_be_c
   EXPECT_TRUE(missing.empty()) << missing.front();
 }
 
+/// Stands, drives in circles for some seconds, and stands again.
+std::vector<WrittenSample> mostly_parked() {
+  constexpr std::size_t kBefore = 1600, kAfter = 1600;
+  const std::int64_t first_ns = 1'700'000'000'000'000'000;
+  std::vector<WrittenSample> samples = circles(first_ns, 12.0);
+  samples.insert(samples.begin(), kBefore, samples.front());
+  samples.insert(samples.end(), kAfter, samples.back());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i].ins.stamp_ns = first_ns + static_cast<std::int64_t>(i) * 50'000'000;
+  return samples;
+}
+
+TEST_F(much_data, of_many_columns_without_names_a_parked_vehicle_hides_nothing) {
+  constexpr int kMore = 24;
+  const std::vector<WrittenSample> samples = mostly_parked();
+  const formats::TemporaryFolder folder;
+  write_rows(
+      folder.path() / "ins.csv", "",
+      [](std::size_t i, const WrittenSample& sample) {
+        Fields fields = joined({seconds_text(sample.ins.stamp_ns)}, place_deg(sample));
+        for (int k = 1; k <= kMore; ++k)
+          fields.push_back(number(3.0 * k * std::sin(0.002 * static_cast<double>(i) * k + k)));
+        return joined(fields, angles(heading_angles(sample)));
+      },
+      samples);
+  const Description found = described({folder.path()});
+  const Guess *position = guess_of(found, GuessKind::Position), *attitude = guess_of(found, GuessKind::Attitude);
+  ASSERT_TRUE(position && attitude);
+  EXPECT_EQ(position->columns, (Fields{"1", "2", "3"}));
+  EXPECT_EQ(attitude->columns.front(), std::to_string(4 + kMore + 2));
+  EXPECT_EQ(found.ins->layout.attitude, drive::AttitudeConvention::Heading);
+}
+
 TEST_F(much_data, tables_beyond_a_number_are_said_to_be_left) {
   const formats::TemporaryFolder folder;
   for (int i = 0; i < 230; ++i)
     folder.write(std::to_string(1000 + i) + ".tab",
                  "1,0,1,1,1,1\n2,0,1,1,1,1\n0,1,1,1,1,1\n1,1,1,1,1,1\n2,2,1,1,1,1\n");
+  for (int i = 0; i < 300; ++i) folder.write(std::to_string(i) + ".png", std::string("\x89PNG\0\0", 6));
   EXPECT_TRUE(says_why(described({folder.path()}), "this and 30 in all were not looked at"));
 }
 
