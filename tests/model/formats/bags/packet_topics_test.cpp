@@ -1,71 +1,20 @@
 // Which LiDAR the packets, clouds and files of a bag are of.
+#include "tests/model/formats/bags/packet_topics.h"
+
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <iostream>
 
 #include "algorithms/messages/render.h"
 #include "model/formats/bags/bag_packets.h"
-#include "tests/model/formats/bags/packet_bags.h"
 #include "tests/model/formats/packets/hesai_bytes.h"
-#include "tests/model/formats/packets/robosense_bytes.h"
 #include "tests/support/findings.h"
-#include "tests/support/sanitized.h"
 
 namespace remount::bags {
 namespace {
 
 using testing::has_code;
 using testing::said_of;
-
-constexpr const char *kScanType = "velodyne_msgs/VelodyneScan", *kHeadType = "ouster_ros/PacketMsg",
-                     *kRslidarType = "rslidar_msg/RslidarPacket", *kFrameType = "hesai_ros_driver/UdpFrame";
-
-/// Of what a driver makes of packets.
-struct CloudsOfDriver {
-  std::string frame;
-  int count = 10;
-  std::int64_t period_ns = 100'000'000;
-  bool timed = true;
-};
-
-class packet_topics : public packets_in_a_bag {
- protected:
-  static void add_clouds(PacketBag& made, const std::string& topic, const CloudsOfDriver& clouds) {
-    for (int i = 0; i < clouds.count; ++i) {
-      cloud::PointCloud cloud;
-      for (int k = 0; k < 30; ++k) {
-        cloud.points.emplace_back(static_cast<float>(k + 1), 1.0f, 1.0f);
-        if (clouds.timed) cloud.time_from_stamp_s.push_back(0.003f * static_cast<float>(k));
-      }
-      const std::int64_t stamp_ns = kTenHours_ns + i * clouds.period_ns;
-      made.add(stamp_ns + 95'000'000, topic, "sensor_msgs/PointCloud2",
-               cloud_message(cloud, stamp_ns, clouds.frame, made.encoding()));
-    }
-  }
-  std::vector<std::string> offered() const {
-    Progress progress;
-    std::vector<std::string> names;
-    for (const drive::LidarOffer& offer : formats::offer_lidars(path(), progress)) names.push_back(offer.name);
-    return names;
-  }
-  using Names = std::vector<std::string>;
-};
-
-/// Packets of an RS-Helios. @param described the place of its description among them; beyond: it gives none
-std::vector<RecordedPacket> helios_packets(std::size_t count, std::size_t described, std::int64_t sensor_us) {
-  const formats::TemporaryFolder folder;
-  std::vector<RecordedPacket> packets =
-      packets_of_capture(folder.write("a.pcap", formats::pcap(formats::helios_drive(count, kTenHours_ns, sensor_us))));
-  RecordedPacket description = packets.front();
-  packets.erase(packets.begin());
-  if (described >= packets.size()) return packets;
-  description.time_ns = packets[described].time_ns;
-  packets.insert(packets.begin() + static_cast<std::ptrdiff_t>(described), description);
-  return packets;
-}
-constexpr std::int64_t kTenHours_us = kTenHours_ns / 1000;
 
 std::vector<RecordedPacket> xt_packets(std::size_t count, std::int64_t host_ns) {
   const formats::TemporaryFolder folder;
@@ -307,126 +256,6 @@ TEST_F(packet_topics, a_description_is_of_the_lidar_whose_name_it_has) {
     EXPECT_EQ(opened(path()).lidar_name, its.with);
     EXPECT_NE(error_of_opening({{"lidar", its.without}}), "") << its.without;
   }
-}
-
-/// Descriptions of an RS-Helios whose lasers look so many hundredths of a degree higher.
-RecordedPacket description_of_helios(int higher, std::int64_t time_ns) {
-  formats::DifopPacket description;
-  description.angles = formats::even_angles(100);
-  for (auto& [up, offset] : description.angles) up += higher;
-  return {time_ns, 7788, description.bytes()};
-}
-
-TEST_F(packet_topics, of_several_descriptions_the_first_counts_as_in_a_capture) {
-  const std::vector<RecordedPacket> packets = helios_packets(700, 0, kTenHours_us),
-                                    points(packets.begin() + 1, packets.end());
-  const std::int64_t first_ns = points.front().time_ns;
-  // The lower one is first, and the topic of the higher one: as numbers and as places in the bag they are the others.
-  for (const int first : {0, 700}) {
-    fs::remove(path());
-    PacketBag made = bag();
-    made.add_packets("/rslidar_info", kRslidarType, {description_of_helios(700 - first, first_ns + 20'000'000)});
-    made.add_packets("/rslidar_difop", kRslidarType, {description_of_helios(first, first_ns + 10'000'000)});
-    made.add_packets("/rslidar_packets", kRslidarType, points);
-    made.finish();
-    const drive::Session session = opened(path());
-    EXPECT_TRUE(formats::contains(said_of(session.findings, "capture-angles"), "several sensors"));
-    float lowest_rad = 1.0f;
-    for (const Eigen::Vector3f& point : session.scans->load(0).points)
-      lowest_rad = std::min(lowest_rad, std::asin(point.z() / point.norm()));
-    EXPECT_NEAR(lowest_rad, degrees_to_radians(0.01 * first - 8.0), 0.01) << first;
-  }
-}
-
-/// Counts what is read of a bag.
-class CountingBag final : public BagFile {
- public:
-  explicit CountingBag(std::shared_ptr<const BagFile> bag) : bag_(std::move(bag)) {
-    topics_ = bag_->topics();
-    files_ = bag_->files();
-  }
-  std::string message(const BagEntry& entry, std::size_t at_most) const override {
-    ++read;
-    return bag_->message(entry, at_most);
-  }
-  mutable std::size_t read = 0;
-
- private:
-  std::shared_ptr<const BagFile> bag_;
-};
-
-TEST_F(packet_topics, whose_sensor_never_says_the_same_twice_are_not_listened_to_for_ever) {
-  constexpr int kDescriptions = 500;
-  const std::vector<RecordedPacket> packets = helios_packets(100, 0, kTenHours_us);
-  std::vector<RecordedPacket> descriptions;
-  for (int i = 0; i < kDescriptions; ++i)
-    descriptions.push_back(description_of_helios(i, packets.front().time_ns + i * 1'000'000));
-  PacketBag made = bag();
-  made.add_packets("/rslidar_difop", kRslidarType, descriptions);
-  made.add_packets("/rslidar_packets", kRslidarType, {packets.begin() + 1, packets.end()});
-  made.finish();
-  const auto counting = std::make_shared<CountingBag>(open_quietly(path()));
-  const PacketTopics topics = examine_packets(*counting, Progress());
-  std::cout << counting->read << " messages read of " << kDescriptions << " descriptions\n";
-  EXPECT_EQ(topics.lidars.size(), 1U);
-  EXPECT_LT(counting->read, 100U);
-}
-
-TEST_F(packet_topics, of_more_lidars_than_there_can_be_are_not_compared) {
-  for (const std::size_t lidars : {kMostPacketLidars, kMostPacketLidars + 1}) {
-    fs::remove(path());
-    PacketBag made = bag();
-    const std::vector<RecordedPacket> packets = puck_packets(80, kTenHours_ns, 0.0);
-    for (std::size_t i = 0; i < lidars; ++i) {
-      // The first goes on for a second, in which the cloud comes but twice.
-      made.add_packets("/lidar" + std::to_string(i) + "/packets", kScanType,
-                       i == 0 ? puck_packets(760, kTenHours_ns, 0.0) : packets, 76, "lidar" + std::to_string(i));
-    }
-    add_clouds(made, "/preview", {"map", 2, 500'000'000});
-    made.finish();
-    EXPECT_EQ(opened(path(), {{"ins", std::string(drive::kNoTopic)}}).lidar_name,
-              lidars == kMostPacketLidars ? "/lidar0/packets" : "/preview");
-  }
-}
-
-TEST_F(packet_topics, by_the_thousand_do_not_take_long) {
-  constexpr std::size_t kTopics = 50'000;
-  PacketTopics topics;
-  for (std::size_t i = 0; i < kTopics; ++i) {
-    topics.found[i].model = "VLP-16";
-    topics.lidars.push_back(i);
-  }
-  bag().finish();
-  const auto file = open_quietly(path());
-  const auto began = std::chrono::steady_clock::now();
-  std::size_t own = 0;
-  for (const std::size_t lidar : topics.lidars) own += topics.of_lidar(*file, lidar).size();
-  const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  std::cout << kTopics << " topics in " << took_s << " s\n";
-  EXPECT_EQ(own, kTopics);
-  EXPECT_LT(took_s, 1.0 * testing::kSanitizerSlowdown);
-}
-
-TEST_F(packet_topics, are_looked_at_once) {
-  PacketBag made = bag();
-  for (const char* topic : {"/front/packets", "/rear/packets", "/left/packets"})
-    made.add_packets(topic, kScanType, puck_packets(760, kTenHours_ns, 0.0), 76);
-  made.finish();
-  const auto counting = std::make_shared<CountingBag>(open_quietly(path()));
-  const PacketTopics topics = examine_packets(*counting, Progress());
-  const std::size_t looked_at = counting->read;
-  EXPECT_EQ(topics.found.size(), 3U);
-  EXPECT_EQ(looked_at, 3U) << "the first message of each says what it is";
-  PacketStream stream(*counting, topics, topics.found.begin()->first);
-  EXPECT_EQ(counting->read, looked_at);
-  const BagTopic& own = counting->topics()[topics.found.begin()->first];
-  for (std::size_t i = 0; i < own.entries.size(); ++i) {
-    const std::string bytes = static_cast<const BagFile&>(*counting).message(own.entries[i]);
-    MessageReader reader(bytes, own.encoding, "drive.bag");
-    stream.take(topics.found.begin()->first, own.entries[i], i, reader);
-  }
-  EXPECT_EQ(stream.made(counting).sensors.size(), 3U);
-  EXPECT_EQ(counting->read, looked_at + own.entries.size()) << "others are not read again";
 }
 
 }  // namespace

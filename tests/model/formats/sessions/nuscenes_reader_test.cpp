@@ -1,90 +1,20 @@
 // Sessions in the layout of nuScenes.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <functional>
-#include <stop_token>
-#include <thread>
 
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
-#include "model/formats/sessions/nuscenes_kept.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/sessions/several_sessions.h"
 #include "tests/model/formats/reader_fixtures.h"
-#include "tests/model/formats/temporary_folder.h"
+#include "tests/model/formats/sessions/nuscenes_fixture.h"
 
 namespace remount::formats {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Half a turn is 180 degrees: of a rotation by `deg` about `axis`, as w, x, y, z.
-std::string wxyz(double deg, const Vector3d& axis) {
-  const Eigen::Quaterniond q(Eigen::AngleAxisd(degrees_to_radians(deg), axis));
-  char text[160];
-  std::snprintf(text, sizeof text, "[%.17g, %.17g, %.17g, %.17g]", q.w(), q.x(), q.y(), q.z());
-  return text;
-}
-
-std::string five_floats(float ring) {
-  std::string bytes;
-  for (int point = 0; point < 3; ++point)
-    for (const float value : {1.0F + static_cast<float>(point), 2.0F, -1.5F, 40.0F, ring})
-      bytes.append(reinterpret_cast<const char*>(&value), 4);
-  return bytes;
-}
-
-struct NuscenesFixture {
-  std::string sensors =
-      R"([{"token": "s0", "channel": "CAM_FRONT", "modality": "camera"}, {"token": "s1", "channel": "LIDAR_TOP", "modality": "lidar"}])";
-  std::string calibrated =
-      R"([{"token": "c0", "sensor_token": "s0", "translation": [9, 9, 9], "rotation": [1, 0, 0, 0], "camera_intrinsic": [[1, 0, 0]]},)"
-      R"({"token": "c1", "sensor_token": "s1", "translation": [0.943713, 0.0, 1.84023], "rotation": )" +
-      wxyz(-90.0, Vector3d::UnitZ()) + R"(, "camera_intrinsic": []}])";
-  std::string scenes, samples, sample_data, poses;
-  int rows = 0;
-  std::string prefix;  ///< of the names of sweeps
-  std::string pcd;     ///< in the place of floats
-
-  void add_scene(const TemporaryFolder& folder, const std::string& name, int sweeps = 4,
-                 const std::vector<std::string>& calibrated_by = {"c1"}) {
-    scenes += (scenes.empty() ? "" : ",") + std::string(R"({"token": "t)") + name + R"(", "name": ")" + name + R"("})";
-    samples += (samples.empty() ? "" : ",") + std::string(R"({"token": "m)") + name + R"(", "scene_token": "t)" + name +
-               R"("})";
-    for (int i = 0; i < sweeps; ++i)
-      for (const std::string& sensor : calibrated_by) add_sweep(folder, name, i, sensor);
-  }
-  void add_sweep(const TemporaryFolder& folder, const std::string& scene, int i, const std::string& sensor) {
-    const std::string between = rows == 0 ? "" : ",", number = std::to_string(rows++);
-    const std::string stamp = std::to_string(1'532'402'927'647'951LL + 50'000 * i);
-    const std::string channel = sensor == "c1" ? "LIDAR_TOP" : "LIDAR_REAR";
-    const std::string file = (i == 0 ? "samples/" : "sweeps/") + channel + "/" + prefix + scene + "__" + channel +
-                             "__" + stamp + (pcd.empty() ? ".pcd.bin" : ".pcd");
-    sample_data += between + R"({"token": "d)" + number + R"(", "sample_token": "m)" + scene +
-                   R"(", "ego_pose_token": "p)" + number + R"(", "calibrated_sensor_token": ")" + sensor +
-                   R"(", "timestamp": )" + stamp + R"(, "fileformat": "pcd", "is_key_frame": true, "filename": ")" +
-                   file + R"("})";
-    sample_data += R"(,{"token": "x", "sample_token": "m)" + scene +
-                   R"(", "ego_pose_token": "q", "calibrated_sensor_token": "c0",)"
-                   R"("timestamp": 1, "filename": "samples/CAM_FRONT/a.jpg"})";
-    poses += between + R"({"token": "p)" + number + R"(", "timestamp": )" + stamp + R"(, "rotation": )" +
-             wxyz(30.0, i == 0   ? Vector3d::UnitZ()
-                        : i == 1 ? Vector3d::UnitY()
-                                 : Vector3d::UnitX()) +
-             R"(, "translation": [)" + std::to_string(411.5 + i) + R"(, 1181.25, 0.0]})";
-    folder.write(file, pcd.empty() ? five_floats(static_cast<float>(sensor == "c1" ? 7 : 9)) : pcd);
-  }
-  void write(const TemporaryFolder& folder, const std::string& version = "v1.0-mini") const {
-    folder.write(version + "/sensor.json", sensors);
-    folder.write(version + "/calibrated_sensor.json", calibrated);
-    folder.write(version + "/scene.json", "[" + scenes + "]");
-    folder.write(version + "/sample.json", "[" + samples + "]");
-    folder.write(version + "/sample_data.json", "[" + sample_data + "]");
-    folder.write(version + "/ego_pose.json", "[" + poses + "]");
-  }
-};
 
 TEST(nuscenes_reader, quaternions_are_w_first_and_the_vehicle_looks_ahead_left_up) {
   const TemporaryFolder folder;
@@ -235,91 +165,6 @@ TEST(nuscenes_reader, of_several_versions_that_with_most_of_the_scans_is_used_an
   const drive::Session broken = open(folder.path());
   EXPECT_EQ(broken.scans->size(), 5U);
   testing::expect_told(broken.findings, "bad-tables", "1 version of the tables cannot be read");
-}
-
-/// So that they count as files that nobody writes any more.
-void make_old(const TemporaryFolder& folder) {
-  for (const auto& table : files_in(folder.path() / "v1.0-mini"))
-    std::filesystem::last_write_time(table, std::filesystem::last_write_time(table) - std::chrono::hours(1));
-}
-
-TEST(nuscenes_reader, tables_are_read_once_for_all_sessions_and_anew_when_they_change) {
-  const TemporaryFolder folder;
-  NuscenesFixture fixture;
-  fixture.add_scene(folder, "scene-1");
-  fixture.add_scene(folder, "scene-2", 3);
-  fixture.write(folder);
-  make_old(folder);
-  std::vector<std::filesystem::path> scans = files_in(folder.path() / "samples/LIDAR_TOP");
-  ASSERT_EQ(scans.size(), 2U);
-  const std::size_t before = kept_nuscenes().readings();
-  Progress progress;
-  EXPECT_EQ(open(scans[0]).world_from_ins.size(), 4U);
-  EXPECT_EQ(open(scans[1]).world_from_ins.size(), 3U);
-  EXPECT_EQ(offer_lidars(scans[1], progress).size(), 1U);
-  EXPECT_EQ(kept_nuscenes().readings() - before, 2U) << "once the sweeps, once the poses";
-  fixture.poses.replace(fixture.poses.find("\"p1\""), 4, "\"zz\"");
-  fixture.write(folder);
-  EXPECT_EQ(open(scans[0]).world_from_ins.size(), 3U);
-}
-
-TEST(nuscenes_reader, every_table_can_be_cancelled) {
-  const TemporaryFolder folder;
-  NuscenesFixture fixture;
-  fixture.add_scene(folder, "scene-1");
-  fixture.write(folder);
-  // Asked to stop by the beginning of a table, it reads no further one.
-  const auto expect_stopped = [](std::size_t at_table, const std::function<bool(Progress&)>& has_read) {
-    std::stop_source stop;
-    std::size_t begun = 0;
-    Progress cancelled(stop.get_token(), [&](const ProgressUpdate&) {
-      if (++begun == at_table) stop.request_stop();
-    });
-    EXPECT_FALSE(has_read(cancelled)) << at_table;
-    EXPECT_EQ(begun, at_table);
-  };
-  constexpr std::size_t kTablesOfSweeps = 5;
-  KeptNuscenes kept(std::chrono::minutes(2));
-  for (std::size_t table = 1; table <= kTablesOfSweeps; ++table)
-    expect_stopped(table,
-                   [&](Progress& progress) { return kept.tables(folder.path() / "v1.0-mini", progress) != nullptr; });
-  Progress progress;
-  const auto tables = kept.tables(folder.path() / "v1.0-mini", progress);
-  ASSERT_NE(tables, nullptr);
-  expect_stopped(1, [&](Progress& cancelled) { return kept.ego_poses(tables, cancelled) != nullptr; });
-  EXPECT_EQ(kept.ego_poses(tables, progress)->global_from_ego.size(), 4U);
-}
-
-TEST(nuscenes_reader, tables_that_nobody_asks_for_are_given_back) {
-  const TemporaryFolder folder;
-  NuscenesFixture fixture;
-  fixture.add_scene(folder, "scene-1");
-  fixture.write(folder);
-  make_old(folder);
-  Progress progress;
-  KeptNuscenes kept(std::chrono::milliseconds(300));
-  std::weak_ptr<const NuscenesTables> tables = kept.tables(folder.path() / "v1.0-mini", progress);
-  EXPECT_FALSE(tables.expired()) << "for the next that asks";
-  for (int i = 0; i < 1000 && !tables.expired(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  EXPECT_TRUE(tables.expired());
-}
-
-TEST(nuscenes_reader, nobody_waits_for_a_reading_but_who_reads) {
-  const TemporaryFolder folder;
-  NuscenesFixture fixture;
-  fixture.add_scene(folder, "scene-1");
-  fixture.write(folder);
-  make_old(folder);
-  KeptNuscenes kept(std::chrono::milliseconds(1));
-  Progress progress;
-  EXPECT_NE(kept.tables(folder.path() / "v1.0-mini", progress), nullptr);
-  std::filesystem::last_write_time(folder.path() / "v1.0-mini" / "scene.json",
-                                   std::filesystem::file_time_type::clock::now() - std::chrono::hours(2));
-  std::size_t seen = 0;
-  Progress asking(std::stop_token(), [&](const ProgressUpdate&) { seen += kept.readings(); });
-  EXPECT_NE(kept.tables(folder.path() / "v1.0-mini", asking), nullptr);
-  EXPECT_GT(seen, 0U) << "by a thread that holds the reading";
-  EXPECT_EQ(kept.readings(), 2U);
 }
 
 TEST(nuscenes_reader, a_scan_stands_for_its_scene_where_there_are_several) {
