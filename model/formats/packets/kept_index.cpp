@@ -247,8 +247,8 @@ std::map<DatagramRoute, KeptSensor> known_sensors(const PassedPackets& passed) {
     KeptSensor& known = sensors[key];
     if (!route.sensor.decoder) continue;
     known.model = route.sensor.decoder->model();
-    for (const std::filesystem::path& file : route.sensor.decoder->files_beside())
-      known.beside.push_back(state_of(file));
+    for (const SourceBeside& source : route.sensor.decoder->sources_beside())
+      if (!source.said) known.beside.push_back(state_of(source.name));
   }
   return sensors;
 }

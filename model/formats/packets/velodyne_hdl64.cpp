@@ -121,10 +121,7 @@ class Hdl64Decoder final : public PacketDecoder {
   std::string model() const override { return "HDL-64E"; }
   std::uint32_t places() const override { return kTurn; }
   void look_beside(const BesidePackets& beside, std::string_view payload, const std::string& where) override;
-  std::vector<std::filesystem::path> files_beside() const override {
-    return file_ ? std::vector{*file_} : std::vector<std::filesystem::path>{};
-  }
-  std::optional<SaidBeside> said_beside() const override { return said_; }
+  std::vector<SourceBeside> sources_beside() const override { return sources_; }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
@@ -134,8 +131,7 @@ class Hdl64Decoder final : public PacketDecoder {
   void decode_column(std::string_view payload, const Hdl64Layout& layout, std::size_t column, double per_us,
                      double begins_s, cloud::PointCloud& cloud) const;
 
-  std::optional<std::filesystem::path> file_;
-  std::optional<SaidBeside> said_;
+  std::vector<SourceBeside> sources_;
   double unit_m_ = 0.002;
   std::array<Hdl64Beam, kHdl64Lasers> beams_{};
 };
@@ -143,10 +139,7 @@ class Hdl64Decoder final : public PacketDecoder {
 void Hdl64Decoder::look_beside(const BesidePackets& beside, std::string_view, const std::string& where) {
   const std::optional<FoundHdl64> found = find_hdl64(beside, where);
   if (!found) throw Error(ErrorCode::Unsupported, where, say::capture_hdl64(beside.recording.stem().string() + ".xml"));
-  if (beside.said_on(found->file))
-    said_ = {found->file.string(), ".xml"};
-  else
-    file_ = found->file;
+  sources_ = {{found->file, beside.said_on(found->file) != nullptr, ".xml"}};
   take(found->calibration);
 }
 

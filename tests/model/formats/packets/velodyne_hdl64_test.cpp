@@ -55,7 +55,7 @@ auto hdl64_only(std::size_t block, std::size_t place, std::uint16_t range) {
 TEST(velodyne_hdl64, points_of_a_plain_calibration_have_the_manuals_times_and_rings) {
   const auto decoder = hdl64_with({{"a.xml", hdl64_xml(plain_laser)}});
   EXPECT_EQ(decoder->model(), "HDL-64E");
-  EXPECT_EQ(decoder->files_beside().size(), 1U);
+  EXPECT_EQ(decoder->sources_beside().size(), 1U);
   struct Expected {
     std::size_t block, place;
     double up_deg, after_us;
@@ -153,9 +153,9 @@ TEST(velodyne_hdl64, needs_a_calibration_of_its_own) {
   EXPECT_ERROR(hdl64_with({{"192.168.1.77.xml", hdl64_xml(plain_laser)}}), "as a.xml");
   const std::string one = hdl64_xml(plain_laser), other = hdl64_xml([](int) { return Hdl64Laser{.vert_deg = 1.0}; });
   EXPECT_ERROR(hdl64_with({{"db.xml", one}, {"old.xml", other}}), "db.xml and old.xml");
-  EXPECT_EQ(hdl64_with({{"db.xml", one}, {"copy.xml", one}})->files_beside().size(), 1U);
+  EXPECT_EQ(hdl64_with({{"db.xml", one}, {"copy.xml", one}})->sources_beside().size(), 1U);
   const auto chosen = hdl64_with({{"a.xml", one}, {"192.168.1.201.xml", other}, {"db.yaml", hdl64_yaml(plain_laser)}});
-  EXPECT_EQ(chosen->files_beside().at(0).filename(), "192.168.1.201.xml");
+  EXPECT_EQ(chosen->sources_beside().at(0).name.filename(), "192.168.1.201.xml");
   EXPECT_ERROR(hdl64_with({{"a.xml", one.substr(0, 2000)}}), "a.xml");
 }
 
