@@ -12,7 +12,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class much_data : public DescribedRows {};
+class much_data : public DescribedRows {
+ protected:
+  /// A table without names: the motion among so many other columns, that swing like some motion.
+  static void write_among_others(const std::filesystem::path& file, const std::vector<WrittenSample>& samples,
+                                 int others) {
+    write_rows(
+        file, "",
+        [&](std::size_t i, const WrittenSample& sample) {
+          Fields fields = joined({seconds_text(sample.ins.stamp_ns)}, place_deg(sample));
+          for (int k = 1; k <= others; ++k)
+            fields.push_back(number(3.0 * k * std::sin(0.002 * static_cast<double>(i) * k + k)));
+          return joined(fields, angles(heading_angles(sample)));
+        },
+        samples);
+  }
+};
 
 TEST_F(much_data, hundreds_of_small_tables_do_not_hide_the_motion) {
   constexpr int kLabels = 300;
@@ -36,15 +51,7 @@ TEST_F(much_data, of_many_columns_without_names_the_motion_is_found_and_can_be_c
   constexpr int kMore = 40;
   const std::vector<WrittenSample> samples = circles(1'700'000'000'000'000'000, 200.0);
   const formats::TemporaryFolder folder;
-  write_rows(
-      folder.path() / "ins.csv", "",
-      [](std::size_t i, const WrittenSample& sample) {
-        Fields fields = joined({seconds_text(sample.ins.stamp_ns)}, place_deg(sample));
-        for (int k = 1; k <= kMore; ++k)
-          fields.push_back(number(3.0 * k * std::sin(0.002 * static_cast<double>(i) * k + k)));
-        return joined(fields, angles(heading_angles(sample)));
-      },
-      samples);
+  write_among_others(folder.path() / "ins.csv", samples, kMore);
   const Description found = described({folder.path()});
   const Guess* attitude = guess_of(found, GuessKind::Attitude);
   ASSERT_TRUE(attitude);
@@ -78,15 +85,7 @@ TEST_F(much_data, of_many_columns_without_names_a_parked_vehicle_hides_nothing) 
   constexpr int kMore = 24;
   const std::vector<WrittenSample> samples = mostly_parked();
   const formats::TemporaryFolder folder;
-  write_rows(
-      folder.path() / "ins.csv", "",
-      [](std::size_t i, const WrittenSample& sample) {
-        Fields fields = joined({seconds_text(sample.ins.stamp_ns)}, place_deg(sample));
-        for (int k = 1; k <= kMore; ++k)
-          fields.push_back(number(3.0 * k * std::sin(0.002 * static_cast<double>(i) * k + k)));
-        return joined(fields, angles(heading_angles(sample)));
-      },
-      samples);
+  write_among_others(folder.path() / "ins.csv", samples, kMore);
   const Description found = described({folder.path()});
   const Guess *position = guess_of(found, GuessKind::Position), *attitude = guess_of(found, GuessKind::Attitude);
   ASSERT_TRUE(position && attitude);
