@@ -1,6 +1,7 @@
 #include "model/formats/packets/index_store.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <optional>
 #include <system_error>
@@ -22,6 +23,12 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kIndexEnding = ".index";
+
+/// Of the index of a capture: a packet takes a dozen of the thousand bytes that it has there.
+std::uint64_t most_index_bytes(std::uint64_t capture_bytes) {
+  constexpr std::uint64_t kOfNames = 1U << 16U, kShare = 32;
+  return kOfNames + capture_bytes / kShare;
+}
 
 bool keeps(const IndexStore& store, const RandomAccessFile& file) {
   return !store.folder.empty() && file.size() >= store.least_bytes;
@@ -57,7 +64,7 @@ bool fits(const RandomAccessFile& file, const SensorPackets& sensor) {
 /// Throws Error where it is not to be used.
 IndexedCapture take_up_kept(const fs::path& path, const RandomAccessFile& file, const fs::path& kept) {
   const std::string where = kept.string();
-  KeptIndex index = read_kept_index(read_regular_file(kept, file.size()), where);
+  KeptIndex index = read_kept_index(read_regular_file(kept, most_index_bytes(file.size())), where);
   if (index.capture != state_of(path)) throw Error(ErrorCode::Format, where, say::kept_index_old());
   IndexedCapture capture{PacketIndexing(path), index.counts, {}};
   capture.indexing.take_up(std::move(index.passed), [&](const RoutePackets& route) {
@@ -71,7 +78,13 @@ IndexedCapture take_up_kept(const fs::path& path, const RandomAccessFile& file, 
   return capture;
 }
 
-/// Those used last stay.
+/// What a program that was ended while it saved an index has left: NAME.index.a1b2c3.
+bool is_left_behind(const fs::path& file, fs::file_time_type used) {
+  constexpr auto kLongest = std::chrono::hours(24);
+  return file.stem().extension() == kIndexEnding && fs::file_time_type::clock::now() - used > kLongest;
+}
+
+/// Those used last stay. Nothing of it is an error: another program may clear the folder at the same time.
 void leave_room(const IndexStore& store, const fs::path& newest) {
   struct Kept {
     fs::file_time_type used;
@@ -81,9 +94,10 @@ void leave_room(const IndexStore& store, const fs::path& newest) {
   std::vector<Kept> all;
   std::uint64_t sum = 0;
   for (const fs::path& file : files_in(store.folder)) {
-    if (file.extension() != kIndexEnding) continue;
     std::error_code gone;
     Kept kept{fs::last_write_time(file, gone), file, 0};
+    if (!gone && is_left_behind(file, kept.used)) fs::remove(file, gone);
+    if (file.extension() != kIndexEnding) continue;
     if (!gone) kept.bytes = fs::file_size(file, gone);
     if (gone) continue;
     sum += kept.bytes;
@@ -92,9 +106,8 @@ void leave_room(const IndexStore& store, const fs::path& newest) {
   std::ranges::sort(all, {}, &Kept::used);
   for (const Kept& kept : all) {
     if (sum <= store.most_bytes) break;
-    std::error_code ignored;
-    fs::remove(kept.path, ignored);
-    sum -= kept.bytes;
+    std::error_code not_removed;
+    if (fs::remove(kept.path, not_removed) || !not_removed) sum -= kept.bytes;
   }
 }
 
@@ -112,14 +125,17 @@ Message keep(const fs::path& path, const FileState& before, const IndexedCapture
   try {
     if (state_of(path) != before) return say::kept_index_growing();
     const std::string bytes = kept_index_bytes(before, capture.counts, capture.indexing.passed());
-    if (bytes.size() > before.bytes) return {};
+    if (bytes.size() > most_index_bytes(before.bytes)) return {};
     make_own_folder(store.folder);
     write_file(kept, bytes);
-    leave_room(store, kept);
-    return {};
   } catch (const Error& error) {
     return say::kept_index_unsaved(error.message());
   }
+  try {
+    leave_room(store, kept);
+  } catch (const Error&) {  // the folder cannot be listed: the index is kept all the same
+  }
+  return {};
 }
 
 IndexedCapture pass_through(const fs::path& path, const RandomAccessFile& file, Progress& progress) {
@@ -167,6 +183,8 @@ IndexedCapture index_once(const fs::path& path, const RandomAccessFile& file, co
     }
   } catch (const Error& error) {
     why_not = say::kept_index_unused(error.what_happened());
+  } catch (const std::exception&) {  // no memory for what it claims to hold, or a folder that goes away
+    why_not = say::kept_index_unused(say::kept_index_damaged());
   }
   const FileState before = state_of(path);
   IndexedCapture capture = pass_through(path, file, progress);

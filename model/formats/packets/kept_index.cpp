@@ -34,6 +34,7 @@ enum PacketBit : std::uint8_t {
   kPiecesBit = 32,
   kClockBit = 64,
 };
+constexpr std::uint64_t kMostKeptBytes = 0xffff;
 constexpr std::size_t kLeastPacketBytes = 4, kLeastPieceBytes = 2, kLeastStateBytes = 2;
 
 struct PacketBefore {
@@ -78,12 +79,20 @@ void pack_packet(NumberPacker& packer, const IndexedPacket& packet, PacketBefore
   before = {packet, packet.offset - last.offset};
 }
 
+/// Decoders and captures tell no others, so that times can be subtracted from each other.
+std::int64_t unpack_time_ns(NumberUnpacker& unpacker, std::int64_t before_ns) {
+  constexpr std::int64_t kMost_ns = 4'600'000'000'000'000'000, kLeast_ns = -1'000'000'000'000'000;
+  const auto time_ns = static_cast<std::int64_t>(unpacker.step(unsigned_of(before_ns)));
+  if (time_ns < kLeast_ns || time_ns > kMost_ns) unpacker.fail();
+  return time_ns;
+}
+
 IndexedPacket unpack_packet(NumberUnpacker& unpacker, PacketBefore& before) {
   const IndexedPacket& last = before.packet;
   IndexedPacket packet = last;
   const auto bits = static_cast<std::uint8_t>(unpacker.number(0x7f));
-  packet.host_ns = static_cast<std::int64_t>(unpacker.step(unsigned_of(last.host_ns)));
-  packet.time_ns = static_cast<std::int64_t>(unpacker.step(unsigned_of(last.time_ns)));
+  packet.host_ns = unpack_time_ns(unpacker, last.host_ns);
+  packet.time_ns = unpack_time_ns(unpacker, last.time_ns);
   packet.first_place = static_cast<std::uint32_t>(unpacker.step(last.first_place));
   packet.cut_column = 0, packet.cut_after_ns = 0;
   std::uint64_t offset_step = before.offset_step;
@@ -126,12 +135,23 @@ std::vector<DatagramPiece> unpack_pieces(NumberUnpacker& unpacker, std::uint64_t
   return pieces;
 }
 
-/// Where it stands is looked at, not what it is: a time may be any, and so may a place, which its decoder knows.
-void check_packet(const NumberUnpacker& unpacker, const IndexedPacket& packet, const SensorPackets& sensor,
-                  std::uint64_t capture_bytes) {
-  const std::uint64_t all = packet.pieces == 1 ? capture_bytes : sensor.pieces.size();
+/// How many bytes the first of the pieces have together, of none to all.
+std::vector<std::uint64_t> sums_of(const std::vector<DatagramPiece>& pieces) {
+  std::vector<std::uint64_t> sums{0};
+  for (const DatagramPiece& piece : pieces) sums.push_back(sums.back() + piece.bytes);
+  return sums;
+}
+
+/// Where it stands is looked at, not what it is: a place in the turn may be any, for its decoder knows the turn.
+/// @param of_pieces as sums_of gives it
+void check_packet(const NumberUnpacker& unpacker, const IndexedPacket& packet,
+                  const std::vector<std::uint64_t>& of_pieces, std::uint64_t capture_bytes) {
+  const std::uint64_t all = packet.pieces == 1 ? capture_bytes : of_pieces.size() - 1;
   const std::uint64_t its = packet.pieces == 1 ? packet.bytes : packet.pieces;
   if (packet.pieces == 0 || packet.offset > all || its > all - packet.offset) unpacker.fail();
+  const std::uint64_t bytes =
+      packet.pieces == 1 ? packet.bytes : of_pieces[packet.offset + packet.pieces] - of_pieces[packet.offset];
+  if (bytes > kMostKeptBytes) unpacker.fail();
 }
 
 void pack_sensor(NumberPacker& packer, const SensorPackets& sensor) {
@@ -147,10 +167,11 @@ void unpack_sensor(NumberUnpacker& unpacker, std::uint64_t capture_bytes, Sensor
   sensor.pieces = unpack_pieces(unpacker, capture_bytes);
   const std::size_t count = unpacker.count(kLeastPacketBytes);
   sensor.packets.reserve(count);
+  const std::vector<std::uint64_t> of_pieces = sums_of(sensor.pieces);
   PacketBefore before;
   for (std::size_t i = 0; i < count; ++i) {
     sensor.packets.push_back(unpack_packet(unpacker, before));
-    check_packet(unpacker, sensor.packets.back(), sensor, capture_bytes);
+    check_packet(unpacker, sensor.packets.back(), of_pieces, capture_bytes);
   }
 }
 
@@ -185,6 +206,14 @@ void pack_route(NumberPacker& packer, const DatagramRoute& key, const RoutePacke
   pack_sensor(packer, route.sensor);
 }
 
+/// What is said twice is damaged: places of one would be looked up among the pieces of the other.
+template <class Map>
+auto& added(const NumberUnpacker& unpacker, Map& map, const typename Map::key_type& key) {
+  const auto [place, is_new] = map.try_emplace(key);
+  if (!is_new) unpacker.fail();
+  return place->second;
+}
+
 void unpack_route(NumberUnpacker& unpacker, KeptIndex& index) {
   DatagramRoute key;
   key.address = unpacker.number_of<std::uint32_t>();
@@ -193,8 +222,9 @@ void unpack_route(NumberUnpacker& unpacker, KeptIndex& index) {
   KeptSensor known;
   known.model = unpacker.text();
   for (std::size_t left = unpacker.count(3); left > 0; --left) known.beside.push_back(unpack_file(unpacker));
-  RoutePackets& route = index.passed.routes[key];
+  RoutePackets& route = added(unpacker, index.passed.routes, key);
   route.told_by = unpack_pieces(unpacker, index.capture.bytes);
+  if (sums_of(route.told_by).back() > kMostKeptBytes) unpacker.fail();
   route.others = unpacker.number(), route.positions = unpacker.number(1) == 1;
   unpack_sensor(unpacker, index.capture.bytes, route.sensor);
   if (route.told_by.empty() && !(known.model.empty() && route.sensor.packets.empty())) unpacker.fail();
@@ -215,10 +245,10 @@ SensorReceiver unpack_receiver(NumberUnpacker& unpacker) {
   SensorReceiver receiver;
   receiver.sentences = unpacker.text();
   receiver.states.resize(unpacker.count(kLeastStateBytes));
-  std::uint64_t last = 0;
+  std::int64_t last_ns = 0;
   for (SensorReceiver::State& state : receiver.states) {
-    last = unpacker.step(last);
-    state = {static_cast<std::int64_t>(last), unpacker.number(1) == 1};
+    last_ns = unpack_time_ns(unpacker, last_ns);
+    state = {last_ns, unpacker.number(1) == 1};
   }
   return receiver;
 }
@@ -283,11 +313,11 @@ KeptIndex unpack_index(std::string_view body, const std::string& where) {
   for (std::size_t left = unpacker.count(10); left > 0; --left) unpack_route(unpacker, index);
   for (std::size_t left = unpacker.count(3); left > 0; --left) {
     const auto address = unpacker.number_of<std::uint32_t>();
-    index.passed.receivers[address] = unpack_receiver(unpacker);
+    added(unpacker, index.passed.receivers, address) = unpack_receiver(unpacker);
   }
   for (std::size_t left = unpacker.count(2); left > 0; --left) {
     const auto address = unpacker.number_of<std::uint32_t>();
-    unpack_descriptions(unpacker, index.passed.descriptions[address]);
+    unpack_descriptions(unpacker, added(unpacker, index.passed.descriptions, address));
   }
   if (!unpacker.at_end()) unpacker.fail();
   return index;

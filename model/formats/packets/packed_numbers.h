@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -55,7 +56,7 @@ class NumberUnpacker {
   }
   template <class T>
   T number_of() {
-    return static_cast<T>(number(~T{0}));
+    return static_cast<T>(number(std::numeric_limits<T>::max()));
   }
   std::uint64_t step(std::uint64_t from) {
     const std::uint64_t packed = number();

@@ -201,6 +201,45 @@ TEST(index_store, damaged_indexes_are_passed_over) {
   std::cout << damaged << " damaged indexes were refused\n";
 }
 
+TEST(index_store, what_is_said_twice_or_is_no_datagram_is_damaged) {
+  KeptCapture kept;
+  kept.open();
+  const KeptIndex index = read_kept_index(bytes_of(kept.kept()), "x");
+  const auto body = [&](const PassedPackets& passed) {
+    return pack_index(index.capture, index.counts, passed, index.sensors);
+  };
+  // The body of one route stands twice: the second would be looked up among the pieces of the first.
+  PassedPackets one = index.passed, none = index.passed;
+  one.routes = {*one.routes.begin()};
+  one.receivers = none.receivers = {};
+  one.descriptions = none.descriptions = {};
+  none.routes = {};
+  const std::string with = body(one), without = body(none);
+  const std::size_t at = without.size() - 3;  // behind the number of routes, which is a byte
+  ASSERT_EQ(with[at], 1);
+  const std::string route = with.substr(at + 1, with.size() - at - 3);
+  EXPECT_EQ(
+      unpack_index(with.substr(0, at) + std::string("\1") + route + std::string(2, '\0'), "x").passed.routes.size(),
+      1U);
+  EXPECT_ERROR(unpack_index(with.substr(0, at) + std::string("\2") + route + route + std::string(2, '\0'), "x"),
+               "it is damaged");
+
+  PassedPackets large = index.passed;
+  for (auto& [key, sensor] : large.routes)
+    if (!sensor.told_by.empty()) sensor.told_by.assign(100, {0, 1000});
+  EXPECT_ERROR(unpack_index(body(large), "x"), "it is damaged");
+}
+
+TEST(index_store, folders_and_programs_that_get_in_the_way_cost_the_index_alone) {
+  KeptCapture kept;
+  const fs::path left = kept.folder().write("cache/captures/" + std::string(32, 'a') + ".index.a1b2c3", "half of one");
+  const fs::path fresh = kept.folder().write("cache/captures/" + std::string(32, 'b') + ".index.a1b2c3", "half of one");
+  fs::last_write_time(left, fs::last_write_time(left) - std::chrono::hours(48));
+  EXPECT_EQ(kept.remark(), "");
+  EXPECT_FALSE(fs::exists(left)) << "of a program that was ended";
+  EXPECT_TRUE(fs::exists(fresh)) << "of one that may still write it";
+}
+
 TEST(index_store, bodies_that_pass_the_checksum_never_lead_out_of_the_capture) {
   KeptCapture kept;
   kept.open();
