@@ -36,7 +36,8 @@ bool of_the_field(const std::vector<PacketGap>& gaps, std::size_t i, std::uint32
 std::size_t count_missing(const std::vector<IndexedPacket>& packets, std::int64_t interval_ns, std::uint32_t places) {
   constexpr std::int64_t kPause_ns = 10'000'000'000;  // a recording that was interrupted misses nothing
   std::vector<PacketGap> gaps;
-  for (std::size_t i = 1; i < packets.size() && interval_ns > 0; ++i) {
+  if (interval_ns <= 0 || interval_ns >= kPause_ns) return 0;
+  for (std::size_t i = 1; i < packets.size(); ++i) {
     const std::int64_t step_ns = packets[i].time_ns - packets[i - 1].time_ns;
     if (step_ns < kPause_ns && 2 * step_ns > 3 * interval_ns)
       gaps.push_back(
@@ -59,7 +60,7 @@ std::int64_t usual_interval_ns(const std::vector<IndexedPacket>& packets) {
   if (pairs_ns.empty()) return steps_ns.empty() ? 0 : steps_ns.front();
   const std::int64_t pair_ns = median_of(pairs_ns);
   const auto alike =
-      std::ranges::count_if(pairs_ns, [&](std::int64_t its_ns) { return 10 * std::abs(its_ns - pair_ns) <= pair_ns; });
+      std::ranges::count_if(pairs_ns, [&](std::int64_t its_ns) { return std::abs(its_ns - pair_ns) <= pair_ns / 10; });
   const bool most = 2 * static_cast<std::size_t>(alike) > pairs_ns.size();
   return most ? pair_ns / 2 : median_of(std::move(steps_ns));
 }

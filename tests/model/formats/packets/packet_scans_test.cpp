@@ -57,6 +57,16 @@ TEST(packet_scans, packets_that_hold_one_column_and_two_in_turn_miss_nothing) {
   EXPECT_EQ(said_of(sequence_session(frames).findings, "capture-missing"), "10 of 4000 packets are missing.");
 }
 
+TEST(packet_scans, times_that_are_decades_apart_are_compared_too) {
+  std::vector<IndexedPacket> packets(4);
+  packets[1].time_ns = 1'500'000'000'000'000'000, packets[2].time_ns = 1'600'000'000'000'000'000;
+  packets[3].time_ns = 4'500'000'000'000'000'000;
+  std::vector<drive::Finding> findings;
+  const PacketSequence sequence = order_packets(packets, 36'000, "drive.lvx", findings);
+  EXPECT_EQ(sequence.interval_ns, packets[1].time_ns) << "half of what two take differs by half";
+  EXPECT_TRUE(findings.empty()) << "that is a pause";
+}
+
 TEST(packet_scans, many_packets_that_miss_at_random_leave_the_usual_time) {
   std::vector<IndexedPacket> packets;
   std::uint32_t random = 7;
