@@ -211,6 +211,24 @@ std::optional<NovatelFormat> recognise_novatel(const fs::path& path) {
   return std::nullopt;
 }
 
+bool holds_raw_imu_alone(const fs::path& path) {
+  bool any = false;
+  try {
+    const std::string head = read_file_head(path, kNovatelHeadBytes);
+    const std::string bytes = holds_binary_sync(head) ? head : utf8_text(head);
+    NovatelScanner scanner(bytes);
+    for (NovatelFrame frame; scanner.next(frame);) {
+      if (!frame.problem.empty() || frame.type == nullptr) continue;
+      const NovatelUse use = frame.type->use;
+      if (use == NovatelUse::Inspvax || use == NovatelUse::Inspva || use == NovatelUse::Bestpos) return false;
+      any = any || use == NovatelUse::RawImu;
+    }
+  } catch (const Error&) {
+    return false;  // not readable: not known
+  }
+  return any;
+}
+
 NovatelLog read_novatel_log(const fs::path& path, NovatelFormat format, bool fixes_alone) {
   return format == NovatelFormat::BagCsv ? read_inspvax_csv(path) : read_recording(path, fixes_alone);
 }

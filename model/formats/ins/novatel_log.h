@@ -21,6 +21,10 @@ enum class NovatelFormat {
 /// From the first megabyte; nothing where it is neither. Never throws.
 std::optional<NovatelFormat> recognise_novatel(const std::filesystem::path& path);
 
+/// Whether all that the first megabyte of such a log holds are raw measurements of an IMU: no solution and no fixes.
+/// Never throws.
+bool holds_raw_imu_alone(const std::filesystem::path& path);
+
 struct NovatelLog {
   std::filesystem::path path;
   std::string taken;                    ///< "INSPVA"; empty where the log has no solution of an INS

@@ -35,6 +35,7 @@ void read_poses(const fs::path& file, drive::Session& session) {
 /// Logs among files by their kind, in the order in which they are taken.
 struct LogsBeside {
   NovatelLogs novatel;
+  std::vector<fs::path> raw_imu;  ///< of NovAtel, alone
   std::vector<fs::path> whole, nmea, rtklib, gpx, poses;
 
   explicit LogsBeside(const std::vector<fs::path>& files) {
@@ -52,6 +53,7 @@ struct LogsBeside {
       else if (recognise_pose_file(file))
         poses.push_back(file);
     }
+    raw_imu = part_raw_imu(novatel, !best().empty());
   }
 
   /// The kind that is taken where none of NovAtel's is; empty where there is none.
@@ -100,7 +102,7 @@ bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, 
   const bool novatel = !logs.novatel.empty() && !only_post_processed(logs.whole);
   fs::path taken;
   if (novatel) {
-    taken = read_best_novatel(logs.novatel, session);
+    taken = read_best_novatel(logs.novatel, logs.raw_imu, session);
   } else {
     if (logs.best().empty()) return false;
     refuse_several(logs.best(), where);

@@ -24,6 +24,7 @@ namespace {
 
 struct NovatelContents {
   NovatelLogs logs;
+  std::vector<fs::path> imu;  ///< of NovAtel, with raw measurements alone
   std::vector<PoseFileChoice> poses;
   std::vector<fs::path> whole, others;  ///< solutions of other makes; logs of positions
 };
@@ -41,6 +42,7 @@ NovatelContents examine_novatel(const fs::path& path) {
     else if (is_motion_log(file))
       contents.others.push_back(file);
   }
+  contents.imu = part_raw_imu(contents.logs, !contents.whole.empty() || !contents.others.empty());
   return contents;
 }
 
@@ -53,7 +55,7 @@ void read_motion(const NovatelContents& contents, drive::Session& session) {
     take_ins_log(*ins_log_kind(taken), taken, session);
     for (const auto& [log, format] : contents.logs) others.push_back(log);
   } else {
-    taken = read_best_novatel(contents.logs, session);
+    taken = read_best_novatel(contents.logs, contents.imu, session);
     others.insert(others.end(), contents.whole.begin(), contents.whole.end());
   }
   tell_passed_over(taken, others, session);
@@ -93,7 +95,33 @@ std::vector<NovatelLog> read_logs(const NovatelLogs& files, std::vector<drive::F
 
 }  // namespace
 
-fs::path read_best_novatel(const NovatelLogs& files, drive::Session& session) {
+std::vector<fs::path> part_raw_imu(NovatelLogs& logs, bool beside) {
+  const auto first =
+      std::stable_partition(logs.begin(), logs.end(), [](const auto& log) { return !holds_raw_imu_alone(log.first); });
+  std::vector<fs::path> imu;
+  if (!beside && first == logs.begin()) return imu;  // what is missing is said where it is read
+  for (auto log = first; log != logs.end(); ++log) imu.push_back(log->first);
+  logs.erase(first, logs.end());
+  return imu;
+}
+
+namespace {
+
+/// Of the first of the files that has any that can be used.
+void take_raw_imu(std::vector<fs::path> files, drive::Session& session) {
+  for (const fs::path& file : files) try {
+      session.imu = read_novatel_imu(file, session.findings);
+      session.files.push_back(file);
+      return;
+    } catch (const Error& error) {
+      session.findings.push_back(
+          drive::make_finding(drive::Severity::Note, "bad-imu", error.where(), error.what_happened()));
+    }
+}
+
+}  // namespace
+
+fs::path read_best_novatel(const NovatelLogs& files, const std::vector<fs::path>& imu, drive::Session& session) {
   session.ins_axes = drive::InsAxes::RightForwardUp;
   session.ins_stamps_from_gps = true;
   std::vector<NovatelLog> logs = read_logs(files, session.findings);
@@ -113,8 +141,13 @@ fs::path read_best_novatel(const NovatelLogs& files, drive::Session& session) {
   session.files.push_back(best->path);
   session.ins = std::move(best->ins);
   session.gnss = std::move(best->fixes);
-  const auto most_imu = std::ranges::max_element(logs, {}, [](const NovatelLog& log) { return log.imu.size(); });
-  session.imu = std::move(most_imu->imu);
+  session.imu = std::move(best->imu);
+  if (session.imu.empty()) {
+    std::vector<fs::path> raw = imu;
+    for (const NovatelLog& log : logs)
+      if (!log.imu.empty()) raw.push_back(log.path);
+    take_raw_imu(std::move(raw), session);
+  }
   if (!others.empty())
     session.findings.push_back(drive::make_finding(drive::Severity::Note, "ins-file-chosen", best->path.string(),
                                                    say::inspvax_log_chosen(std::move(others))));
@@ -125,6 +158,8 @@ int NovatelReader::probe(const fs::path& path) const {
   if (!is_file(path) && !is_folder(path)) return 0;
   const NovatelContents contents = examine_novatel(path);
   if (contents.logs.empty()) return 0;
+  // One that only says what is missing stands back behind every reader that has something to read.
+  if (std::ranges::all_of(contents.logs, [](const auto& log) { return holds_raw_imu_alone(log.first); })) return 10;
   return contents.poses.empty() ? 70 : 85;
 }
 

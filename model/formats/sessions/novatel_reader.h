@@ -26,9 +26,15 @@ class NovatelReader final : public SessionReader {
 
 using NovatelLogs = std::vector<std::pair<std::filesystem::path, NovatelFormat>>;
 
+/// Takes those out that hold raw measurements of an IMU alone, where there is a motion beside them.
+/// @param beside a motion of another make lies there
+std::vector<std::filesystem::path> part_raw_imu(NovatelLogs& logs, bool beside);
+
 /// Reads every log and makes the samples of the best the session's, with the errors of all; the others are named in a
-/// finding. Throws what is wrong with the first where none is usable.
+/// finding. Its raw measurements are the session's `imu`; where it has none, those of another log or of `imu` are,
+/// which is told. Throws what is wrong with the first where none is usable.
 /// @return the best
-std::filesystem::path read_best_novatel(const NovatelLogs& files, drive::Session& session);
+std::filesystem::path read_best_novatel(const NovatelLogs& files, const std::vector<std::filesystem::path>& imu,
+                                        drive::Session& session);
 
 }  // namespace remount::formats

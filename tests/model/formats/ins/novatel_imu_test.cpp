@@ -148,6 +148,25 @@ TEST_F(novatel_imu, a_log_of_an_imu_alone_says_what_it_is_and_what_is_missing) {
   }
 }
 
+TEST_F(novatel_imu, a_log_of_an_imu_alone_does_not_hide_what_tells_the_motion) {
+  const std::string imu = raw_imu_logs([](double t) { return rawimu("RAWIMUSXA", t); });
+  const std::string fixes =
+      "$GPZDA,221320.00,14,11,2023,00,00*60\r\n"
+      "$GPGGA,221320.00,4846.8000,N,00910.8000,E,4,12,0.6,300.0,M,48.0,M,,*65\r\n";
+  folder_.write("gnss/imu.log", imu);
+  folder_.write("gnss/fixes.nmea", fixes);
+  EXPECT_EQ(open(folder_.path() / "gnss").format, "gnss-log");
+
+  folder_.write("span/a.log", imu);
+  folder_.write("span/b.log", solution());
+  const drive::Session session = open(folder_.path() / "span");
+  EXPECT_EQ(session.format, "novatel");
+  EXPECT_EQ(session.ins.size(), 1U);
+  EXPECT_EQ(session.imu.size(), 13U);
+  EXPECT_EQ(session.files.size(), 2U);
+  EXPECT_EQ(find(session, "bad-ins"), nullptr);
+}
+
 TEST_F(novatel_imu, a_native_session_takes_the_imu_of_a_recording) {
   std::string poses, table = "time_ns,rear_left_mps,rear_right_mps\n";
   for (int i = 0; i < 40; ++i) {
