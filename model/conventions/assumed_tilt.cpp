@@ -7,6 +7,12 @@
 
 namespace remount::conventions {
 
+void assume_roll(Eigen::Vector3d& sigma_rad) {
+  sigma_rad.x() = kAssumedTilt_rad;
+  for (double& sigma : sigma_rad.tail<2>())
+    if (std::isnan(sigma)) sigma = kAntennaHeading_rad;
+}
+
 double assumed_tilt_sigma_rad(const std::vector<motion::InsSample>& ins) {
   // What measures a roll knows it far better than this, and never finds it level throughout: not even to what
   // interpolation makes of two levels with another pitch. Two antennas measure pitch, and leave roll open.

@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::int64_t kNearAttitude_ns = 250'000'000;
-constexpr double kHeadingSigma_rad = 0.5 * kPi / 180.0;
 
 /// What the quality of a GGA usually means, m; NaN where none is stated.
 double usual_sigma_m(const NmeaFix& fix) {
@@ -58,7 +57,7 @@ struct Attitudes {
     if (!measured.empty()) return measured[i];
     return {headings[i].time_ns,
             drive::enu_from_ins({headings[i].heading_rad, 0.0, 0.0}, drive::AttitudeConvention::Heading),
-            {conventions::kAssumedTilt_rad, conventions::kAssumedTilt_rad, kHeadingSigma_rad}};
+            {conventions::kAssumedTilt_rad, conventions::kAssumedTilt_rad, conventions::kAntennaHeading_rad}};
   }
   /// The first that is not before a time.
   std::size_t since(std::int64_t time) const {
@@ -155,12 +154,7 @@ class NmeaAssembly {
     std::stable_sort(attitudes_.measured.begin(), attitudes_.measured.end(),
                      [](const NmeaAttitude& a, const NmeaAttitude& b) { return a.time_ns < b.time_ns; });
     if (rolls) return;
-    // Two antennas: what is not guessed is known as well as a heading.
-    for (NmeaAttitude& attitude : attitudes_.measured) {
-      attitude.sigma_rad.x() = conventions::kAssumedTilt_rad;
-      for (Eigen::Index axis = 1; axis < 3; ++axis)
-        if (std::isnan(attitude.sigma_rad[axis])) attitude.sigma_rad[axis] = kHeadingSigma_rad;
-    }
+    for (NmeaAttitude& attitude : attitudes_.measured) conventions::assume_roll(attitude.sigma_rad);
     findings_.push_back(drive::make_finding(
         drive::Severity::Warning, "roll-assumed", path_.string(),
         say::nmea_roll_assumed(std::string(NmeaRecords::name(kind)), Angle{conventions::kAssumedTilt_rad})));

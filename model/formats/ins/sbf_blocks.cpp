@@ -226,8 +226,10 @@ InsNavValues ins_nav_values(const SbfBlock& block, const std::string& where) {
     values.latitude_rad = values.longitude_rad = values.height_m = std::nan("");
     return values;
   }
-  Eigen::Matrix3d covariance = sigmas.cwiseAbs2().asDiagonal();
+  // Errors of positions along the axes of the earth have much in common: without it nothing is known of the height's.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Constant(std::nan(""));
   if (covariances.allFinite()) {
+    covariance.diagonal() = sigmas.cwiseAbs2();
     covariance(0, 1) = covariance(1, 0) = covariances.x();
     covariance(0, 2) = covariance(2, 0) = covariances.y();
     covariance(1, 2) = covariance(2, 1) = covariances.z();
@@ -285,7 +287,13 @@ SbfAttitude sbf_attitude(const SbfBlock& block, const std::string& where) {
   const std::size_t at = angles ? 20 : 16;
   require_bytes(block, at + 12, where);
   SbfAttitude out{sbf_stamp_ns(block, where), float_at(block, at), float_at(block, at + 4), float_at(block, at + 8)};
-  if (angles) return out;
+  if (angles) {
+    constexpr int kFloatWithRoll = 3;
+    const int mode = little_number<std::uint16_t>(block.bytes, 16);
+    if (mode < kFloatWithRoll) out.roll_deg = std::nan("");  // it is 0 there, and not measured
+    out.fixed = mode % 2 == 0;
+    return out;
+  }
   for (double* sigma_deg : {&out.heading_deg, &out.pitch_deg, &out.roll_deg})
     *sigma_deg = *sigma_deg > 0.0 ? std::sqrt(*sigma_deg) : std::nan("");
   return out;

@@ -90,6 +90,7 @@ SbfCovariance sbf_covariance(const SbfBlock& block, const std::string& where);  
 struct SbfAttitude {
   std::int64_t stamp_ns = 0;
   double heading_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;  ///< NaN for what antennas do not tell
+  bool fixed = true;                                          ///< AttEuler: the ambiguities between the antennas are
 };
 SbfAttitude sbf_attitude(const SbfBlock& block, const std::string& where);  ///< of AttEuler; of AttCovEuler its sigma
 

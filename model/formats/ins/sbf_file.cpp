@@ -138,8 +138,9 @@ std::size_t join_antennas(SbfCollector& found, std::vector<motion::InsSample>& i
     try {
       motion::InsSample sample = ins_nav_sample(values, {});
       sample.stamp_ns = fix.fix.stamp_ns;
-      sample.quality = fix.quality;
-      if (!rolls) sample.sigma.attitude_rad.x() = conventions::kAssumedTilt_rad;
+      sample.quality =
+          fix.quality == motion::InsQuality::Good && !attitude->fixed ? motion::InsQuality::Degraded : fix.quality;
+      if (!rolls) conventions::assume_roll(sample.sigma.attitude_rad);
       without_roll += !rolls;
       ins.push_back(sample);
     } catch (const Error& error) {

@@ -85,6 +85,25 @@ TEST_F(sbf_file, earth_centred_positions_are_the_same_place) {
   EXPECT_LT((log.ins[0].sigma.position_enu_m - Eigen::Vector3d::Constant(0.02)).norm(), 1e-7);
 }
 
+TEST_F(sbf_file, errors_along_the_axes_of_the_earth_become_those_of_height_and_plane) {
+  // 1 cm in the plane and 5 cm in height, at 60 degrees north and 90 east: y is up and east is -x.
+  constexpr double kUp2 = 0.0025, kPlane2 = 0.0001, kSin2 = 0.75, kCos2 = 0.25, kSinCos = 0.4330127018922193;
+  InsRecord record{.cartesian = true,
+                   .with_covariance = true,
+                   .covariances = {0.0F, 0.0F, static_cast<float>((kUp2 - kPlane2) * kSinCos)},
+                   .sigma = {0.01F, static_cast<float>(std::sqrt(kUp2 * kCos2 + kPlane2 * kSin2)),
+                             static_cast<float>(std::sqrt(kUp2 * kSin2 + kPlane2 * kCos2))}};
+  GeographicLib::Geocentric::WGS84().Forward(60.0, 90.0, 100.0, record.place[0], record.place[1], record.place[2]);
+  const InsLog log = read(record.bytes());
+  ASSERT_EQ(log.ins.size(), 1U);
+  EXPECT_LT((log.ins[0].sigma.position_enu_m - Eigen::Vector3d(0.01, 0.01, 0.05)).norm(), 1e-5)
+      << log.ins[0].sigma.position_enu_m.transpose();
+  record.with_covariance = false;
+  const InsLog without = read(record.bytes());
+  ASSERT_EQ(without.ins.size(), 1U);
+  EXPECT_TRUE(without.ins[0].sigma.position_enu_m.array().isNaN().all()) << "what they have in common is not told";
+}
+
 TEST_F(sbf_file, what_has_no_solution_and_events_are_no_samples) {
   InsRecord without{.seconds = 44'818.1, .error = 24, .angles = {kDoNotUse, kDoNotUse, kDoNotUse}};
   for (double& value : without.place) value = -2e10;
@@ -104,7 +123,8 @@ TEST_F(sbf_file, antennas_give_attitudes_at_the_positions_of_their_times) {
   std::string bytes;
   for (int i = 0; i < 10; ++i) {
     const double t = 44'818.0 + 0.1 * i;
-    bytes += pvt_geodetic(t, i < 8 ? 4 : 5) + pos_cov_geodetic(t) + att_euler(t, 90.0F, 5.0F, -3.0F) + att_cov_euler(t);
+    bytes += pvt_geodetic(t, i < 8 ? 4 : 5) + pos_cov_geodetic(t) + att_euler(t, 90.0F, 5.0F, -3.0F, i == 7 ? 3 : 4) +
+             att_cov_euler(t);
   }
   bytes += pvt_geodetic(44'820.0) + att_euler(44'820.1, 90.0F, 5.0F, -3.0F) + pvt_geodetic(44'820.2, 0);
   const InsLog log = read(bytes);
@@ -114,16 +134,23 @@ TEST_F(sbf_file, antennas_give_attitudes_at_the_positions_of_their_times) {
   EXPECT_NEAR((log.ins[0].enu_from_ins * Eigen::Vector3d::UnitX()).z(), std::sin(degrees_to_radians(5.0)), 1e-7);
   EXPECT_EQ(log.ins[0].quality, motion::InsQuality::Good);
   EXPECT_EQ(log.ins[9].quality, motion::InsQuality::Degraded) << "not fixed";
+  EXPECT_EQ(log.ins[7].quality, motion::InsQuality::Degraded) << "not fixed between the antennas";
   EXPECT_EQ(said("roll-assumed"), "");
 }
 
 TEST_F(sbf_file, two_antennas_tell_no_roll) {
   std::string bytes;
   for (int i = 0; i < 3; ++i)
-    bytes += pvt_geodetic(44'818.0 + 0.1 * i) + att_euler(44'818.0 + 0.1 * i, 90.0F, 5.0F, kDoNotUse);
+    bytes +=
+        pvt_geodetic(44'818.0 + 0.1 * i) + att_euler(44'818.0 + 0.1 * i, 90.0F, 5.0F, i == 0 ? kDoNotUse : 0.0F, 2);
   const InsLog log = read(bytes);
   ASSERT_EQ(log.ins.size(), 3U);
-  EXPECT_NEAR(radians_to_degrees(log.ins[0].sigma.attitude_rad.x()), 3.0, 0.01);
+  for (const motion::InsSample& sample : log.ins) {
+    EXPECT_NEAR(radians_to_degrees(sample.sigma.attitude_rad.x()), 3.0, 0.01);
+    EXPECT_NEAR(radians_to_degrees(sample.sigma.attitude_rad.y()), 0.5, 0.01);
+    EXPECT_NEAR(radians_to_degrees(sample.sigma.attitude_rad.z()), 0.5, 0.01);
+    EXPECT_EQ(sample.quality, motion::InsQuality::Good);
+  }
   EXPECT_NEAR(log.ins[0].sigma.position_enu_m.z(), 0.3, 1e-9) << "by the position's own accuracy, of two sigma";
   EXPECT_NEAR(log.ins[0].sigma.position_enu_m.x(), 0.2 / std::sqrt(2.0), 1e-9);
   EXPECT_TRUE(contains(said("roll-assumed"), "(AttEuler)")) << said("roll-assumed");

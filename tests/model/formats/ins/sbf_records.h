@@ -51,6 +51,7 @@ struct InsRecord {
   double place[3] = {0.9, 0.16, 310.0};
   bool cartesian = false;
   bool with_covariance = false;
+  float covariances[3] = {0.0F, 0.0F, 0.0F};         ///< INSNavCart: x y, x z, y z
   std::vector<float> sigma = {0.01F, 0.02F, 0.03F};  ///< empty: the sub-block is not there
   std::vector<float> angles = {0.0F, 0.0F, 0.0F};    ///< heading, pitch, roll
   std::vector<float> angle_sigma = {0.3F, 0.2F, 0.1F};
@@ -71,7 +72,7 @@ struct InsRecord {
       for (const float value : *values) put(body, value);
     for (const float speed : {1.0F, 2.0F, 3.0F}) put(body, speed);
     if (with_covariance)
-      for (int i = 0; i < 3; ++i) put(body, 0.0F);
+      for (const float covariance : covariances) put(body, covariance);
     return block(id != 0 ? id : cartesian ? 4225 : 4226, seconds, body);
   }
 };
@@ -95,9 +96,11 @@ inline std::string pos_cov_geodetic(double seconds) {
   return block(5906, seconds, body);
 }
 
-inline std::string att_euler(double seconds, float heading_deg, float pitch_deg, float roll_deg) {
+/// @param mode 1, 3: by float ambiguities; 1, 2: without roll
+inline std::string att_euler(double seconds, float heading_deg, float pitch_deg, float roll_deg,
+                             std::uint16_t mode = 4) {
   std::string body;
-  put<std::uint16_t>(body, 12), put<std::uint16_t>(body, 2), put<std::uint16_t>(body, 0);
+  put<std::uint16_t>(body, 12), put(body, mode), put<std::uint16_t>(body, 0);
   for (const float value : {heading_deg, pitch_deg, roll_deg, kDoNotUse, kDoNotUse, kDoNotUse}) put(body, value);
   return block(5938, seconds, body);
 }
