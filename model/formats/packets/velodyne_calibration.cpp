@@ -31,8 +31,9 @@ struct FactoryText {
   }
   NumberInText number(std::string_view name, std::size_t begin, std::size_t end) const {
     const std::string_view shown = trim(text.substr(begin, end - begin));
-    const double value = require_number(shown, name, where, line_at(begin));
-    return {static_cast<std::size_t>(shown.data() - text.data()), shown.size(), value};
+    std::optional<double> value = parse_number(shown);  // lines are counted where one is to be named alone
+    if (!value) value = require_number(shown, name, where, line_at(begin));
+    return {static_cast<std::size_t>(shown.data() - text.data()), shown.size(), *value};
   }
 };
 
@@ -137,8 +138,10 @@ class XmlLasers {
     if (element.name == "distLSB_" && parent == "DB")
       unit_cm_ = file_.number(element.name, element.contents, end).value;
     if (parent == "px") fields_[element.name] = {element.contents, end};
-    if (parent == "enabled_" && element.name == "item")
+    if (parent == "enabled_" && element.name == "item") {
+      if (in_use_.size() == kMostCalibrated) file_.fail(element.begin, say::velodyne_too_many(kMostCalibrated));
       in_use_.push_back(file_.number(element.name, element.contents, end).value != 0.0);
+    }
   }
   std::vector<CalibratedLaser> taken() const {
     std::vector<CalibratedLaser> lasers;

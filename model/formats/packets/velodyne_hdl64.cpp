@@ -78,6 +78,8 @@ struct Hdl64Beam {
   }
 };
 
+constexpr const char* kXmlMark = "vertCorrection_";
+
 /// A calibration and where it was.
 struct FoundHdl64 {
   std::filesystem::path file;
@@ -98,8 +100,8 @@ std::optional<FoundHdl64> parse_hdl64(const std::string& bytes, const std::files
 std::optional<FoundHdl64> find_hdl64(const BesidePackets& beside, const std::string& where) {
   constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20U;
   FilesBeside<FoundHdl64> all;
-  for (const auto& [ending, mark] : {std::pair{".xml", "vertCorrection_"}, std::pair{".yaml", "vert_correction"},
-                                     std::pair{".yml", "vert_correction"}}) {
+  for (const auto& [ending, mark] :
+       {std::pair{".xml", kXmlMark}, std::pair{".yaml", "vert_correction"}, std::pair{".yml", "vert_correction"}}) {
     const char* its_mark = mark;
     auto files = read_files_beside(
         beside, ending, kMostBytes, [&beside, its_mark](const std::string& bytes, const std::filesystem::path& file) {
@@ -139,7 +141,8 @@ class Hdl64Decoder final : public PacketDecoder {
 void Hdl64Decoder::look_beside(const BesidePackets& beside, std::string_view, const std::string& where) {
   const std::optional<FoundHdl64> found = find_hdl64(beside, where);
   if (!found) throw Error(ErrorCode::Unsupported, where, say::capture_hdl64(beside.recording.stem().string() + ".xml"));
-  sources_ = {{found->file, beside.said_on(found->file) != nullptr, ".xml"}};
+  const bool is_xml = found->calibration.text.find(kXmlMark) != std::string::npos;
+  sources_ = {{found->file, beside.said_on(found->file) != nullptr, is_xml ? ".xml" : ".yaml"}};
   take(found->calibration);
 }
 
