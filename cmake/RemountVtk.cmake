@@ -2,6 +2,7 @@
 # so that module is built here from VTK's own sources, which packaging/setup fetches (see docs/adr/0004-pcl-vtk-qt6.md).
 # Where VTK comes with a Qt 6 module of its own, that one is used.
 find_package(Qt6 REQUIRED COMPONENTS Widgets OpenGL OpenGLWidgets)
+include(RemountMoc)
 # Named one by one: a second find_package(VTK) would overwrite VTK_LIBRARIES.
 set(REMOUNT_VTK_PARTS CommonCore CommonDataModel CommonTransforms InteractionStyle InteractionWidgets
     RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI)
@@ -30,7 +31,7 @@ else()
   set(vtk_qt_files ${vtk_qt_classes} ${vtk_qt_headers})
   list(TRANSFORM vtk_qt_files PREPEND "${REMOUNT_VTK_QT_SOURCE_DIR}/")
   add_library(remount_vtk_qt STATIC ${vtk_qt_files})
-  set_target_properties(remount_vtk_qt PROPERTIES AUTOMOC ON)
+  remount_moc(remount_vtk_qt)
   include(GenerateExportHeader)
   generate_export_header(remount_vtk_qt BASE_NAME vtkGUISupportQt
     EXPORT_FILE_NAME ${CMAKE_BINARY_DIR}/generated/vtk_qt/vtkGUISupportQtModule.h)
