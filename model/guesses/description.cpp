@@ -251,7 +251,7 @@ DescribedTables look_at_data(const std::vector<fs::path>& paths, Progress& progr
   const std::vector<FoundTable>& tables = looked_at.tables;
   for (const CloudFolder& folder : found.clouds) {
     if (progress.cancelled()) return looked_at;
-    description.lidars.push_back(guess_scans(folder, tables));
+    description.lidars.push_back(guess_scans(folder, tables, progress));
   }
   for (const fs::path& capture : found.captures) {
     ScansGuess lidar;

@@ -197,6 +197,7 @@ class ManifestWriter {
       names.add("names", DocumentNode::string(unit_name(lidar.in_names->unit_ns)));
       return names;
     }
+    if (lidar.in_points) return DocumentNode::string("from-points");
     if (!lidar.table) return DocumentNode::string("from-names");
     DocumentNode table = DocumentNode::map();
     table.add("file", DocumentNode::string(path(lidar.table->table)));

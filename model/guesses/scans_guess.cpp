@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "messages/guesses.h"
@@ -92,6 +93,30 @@ bool take_dates(const CloudFolder& folder, const std::vector<fs::path>& in_order
   return false;
 }
 
+bool have_dates_in_points(const fs::path& scan, formats::CloudFormat format) {
+  try {
+    return formats::read_cloud_file(scan, 0, format).first_point_ns.has_value();
+  } catch (const Error&) {
+    return false;  // what cannot be read is told where the scans are listed
+  }
+}
+
+/// The dates of the points, where nothing else tells when the scans were taken.
+bool take_points(const CloudFolder& folder, const std::vector<fs::path>& in_order, ScansGuess& scans,
+                 Progress& progress) {
+  if (!have_dates_in_points(folder.read.file, folder.format)) return false;
+  std::vector<drive::Finding> findings;
+  const std::vector<ScanFile> stamped =
+      formats::scans_from_points(folder.files, folder.directory, folder.format, findings, progress);
+  const std::vector<std::int64_t> stamps_ns = ascending_stamps(stamped);
+  if (2 * stamps_ns.size() < in_order.size() || !have_steps_of_scans(stamps_ns, kLongestStepOfDates_s)) return false;
+  scans.stamps_ns = stamps_ns;
+  scans.in_points = true;
+  scans.guesses.push_back(
+      stamps_guess({say::guess_stamps_in_points(stamps_ns.size(), in_order.size())}, Sureness::Checked));
+  return scans.timed = true;
+}
+
 /// Names that are numbers and no dates: seconds of a clock of its own, or numbers of scans of which some were left out.
 bool take_numbers(const CloudFolder& folder, const std::vector<fs::path>& in_order, ScansGuess& scans) {
   if (are_numbers(in_order)) return false;
@@ -138,7 +163,7 @@ std::string_view type_of(formats::CloudFormat format) {
 
 std::string type_name(formats::CloudFormat format) { return std::string(type_of(format)); }
 
-ScansGuess guess_scans(const CloudFolder& folder, const std::vector<FoundTable>& tables) {
+ScansGuess guess_scans(const CloudFolder& folder, const std::vector<FoundTable>& tables, Progress& progress) {
   ScansGuess scans;
   scans.directory = folder.directory;
   scans.format = folder.format;
@@ -154,7 +179,8 @@ ScansGuess guess_scans(const CloudFolder& folder, const std::vector<FoundTable>&
   const std::vector<fs::path> in_order = formats::scans_in_order(folder.files, folder.format);
   // What is told by a table comes before numbers that may be times.
   (void)(take_native_table(folder, tables, scans) || take_dates(folder, in_order, scans) ||
-         take_table(folder, tables, scans) || take_numbers(folder, in_order, scans));
+         take_table(folder, tables, scans) || take_points(folder, in_order, scans, progress) ||
+         take_numbers(folder, in_order, scans));
   guess_timing(folder, in_order, scans);
   return scans;
 }

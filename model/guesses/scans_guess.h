@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/core/progress.h"
 #include "model/formats/clouds/scan_list.h"
 #include "model/guesses/found_files.h"
 #include "model/guesses/found_tables.h"
@@ -22,6 +23,7 @@ struct ScansGuess {
   formats::CloudFormat format = formats::CloudFormat::Pcd;
   std::size_t count = 0;
   std::optional<formats::NameTimes> in_names;   ///< else names are times as they are, where nothing of these is set
+  bool in_points = false;                       ///< the points have dates
   std::optional<formats::ScanTimes> table;      ///< somebody's
   std::optional<std::filesystem::path> stamps;  ///< a table as a native session has it
   bool timed = false;                           ///< when they were taken is known
@@ -33,7 +35,8 @@ struct ScansGuess {
 /// "pcd", "kitti-bin": as a manifest has it.
 std::string type_name(formats::CloudFormat format);
 
+/// Reads every scan where only their points tell when they were taken.
 /// @param tables that were found anywhere
-ScansGuess guess_scans(const CloudFolder& folder, const std::vector<FoundTable>& tables);
+ScansGuess guess_scans(const CloudFolder& folder, const std::vector<FoundTable>& tables, Progress& progress);
 
 }  // namespace remount::guesses

@@ -188,7 +188,7 @@ void CloudBuilder::refuse_map_coordinates(const std::string& where) const {
 ReadCloud CloudBuilder::finish(std::int64_t stamp_ns, const std::string& where, PointTimes times) {
   refuse_map_coordinates(where);
   const std::size_t points = cloud_.points.size();
-  if (columns_.time < 0 || points == 0) return {std::move(cloud_), false, {}};
+  if (columns_.time < 0 || points == 0) return {std::move(cloud_)};
   constexpr std::size_t kSample = 4096;
   std::vector<double> sample;
   for (std::size_t i = 0; i < points; i += 1 + points / kSample)
@@ -210,12 +210,16 @@ ReadCloud CloudBuilder::finish(std::int64_t stamp_ns, const std::string& where, 
     kept = move_point(i, kept);
   }
   cut_to(kept);
-  return {std::move(cloud_), scale.another_clock, {}};
+  ReadCloud read{std::move(cloud_), scale.another_clock};
+  // 32-bit floats hold dates to a minute.
+  if (stamp_ns == 0 && scale.dates && time_.type != ScalarType::F32)
+    read.first_point_ns = std::llround(zero * scale.unit_s * 1e9);
+  return read;
 }
 
 ReadCloud CloudBuilder::without_times() {
   cloud_.time_from_stamp_s.clear();
-  return {std::move(cloud_), false, {}};
+  return {std::move(cloud_)};
 }
 
 }  // namespace remount::formats

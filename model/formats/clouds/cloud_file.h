@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "algorithms/cloud/point_cloud.h"
@@ -24,7 +25,10 @@ struct ReadCloud {
   /// The points' own times are neither from the stamp on nor on its clock. They are taken from the scan's first point
   /// on then, as if that had been taken at the stamp.
   bool points_have_another_clock = false;
-  std::string columns;  ///< names of what the file has, for messages: "x y z intensity"
+  /// Of a scan that was read without its stamp: the earliest time of a point (Unix time), where times are dates to a
+  /// microsecond or better.
+  std::optional<std::int64_t> first_point_ns{};
+  std::string columns{};  ///< names of what the file has, for messages: "x y z intensity"
   /// What is to be said of the columns beside their names; null where nothing is.
   Message (*note)(std::string columns) = nullptr;
 

@@ -120,6 +120,7 @@ PointTimeScale find_time_scale(std::vector<double> sample, std::size_t points, c
     if (within_a_sweep(zero)) scale.zero = zero;
   }
   scale.another_clock = !scale.zero && stamp_ns != 0;
+  scale.dates = is_date(sweep.low * scale.unit_s);
   return scale;
 }
 

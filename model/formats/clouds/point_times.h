@@ -22,6 +22,7 @@ struct PointTimeScale {
   std::optional<double> zero;    ///< in the column's unit; nothing: the scan's earliest point is of the stamp
   double low = 0.0, high = 0.0;  ///< of the column; what lies outside is no time of this scan
   bool another_clock = false;    ///< neither from the stamp on nor on its clock
+  bool dates = false;            ///< Unix time, of this century or shortly before it
 };
 
 /// The unit (s, ms, us, ns) follows from the sweep: from its size alone only where it is a date near the stamp or of

@@ -1,12 +1,15 @@
 #include "model/formats/clouds/scan_list.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
 #include "messages/general.h"
 #include "messages/sessions.h"
+#include "messages/stages.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/csv_table.h"
 #include "model/formats/files/cut_line.h"
@@ -92,6 +95,52 @@ std::vector<drive::ScanFile> scans_from_names(const std::vector<fs::path>& files
     if (!its_ns || !is_stamp(*its_ns)) return std::optional<std::int64_t>();
     return moved_ns(times.scale == TimeScale::Gps ? unix_ns_from_gps_ns(*its_ns) : *its_ns, times.offset_ns);
   });
+}
+
+namespace {
+
+/// Of one file: when its first point was taken, or why that is not known.
+struct FirstPoint {
+  std::optional<std::int64_t> stamp_ns;
+  std::optional<Error> problem;
+};
+
+FirstPoint first_point_of(const fs::path& file, CloudFormat format) {
+  try {
+    const ReadCloud read = read_cloud_file(file, 0, format);
+    if (read.first_point_ns) return {read.first_point_ns, std::nullopt};
+    return {std::nullopt, Error(ErrorCode::Format, file.string(), say::scans_points_no_date(read.columns_words()))};
+  } catch (const Error& error) {
+    return {std::nullopt, error};
+  }
+}
+
+}  // namespace
+
+std::vector<drive::ScanFile> scans_from_points(const std::vector<fs::path>& files, const fs::path& directory,
+                                               CloudFormat format, std::vector<drive::Finding>& findings,
+                                               Progress& progress) {
+  const std::vector<fs::path> in_order = scans_in_order(files, format);
+  std::vector<FirstPoint> first(in_order.size());
+  std::atomic<std::size_t> done{0};
+  parallel_for(in_order.size(), 0, [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    first[i] = first_point_of(in_order[i], format);
+    progress.report(say::stage_reading_point_times, ++done, in_order.size());
+  });
+  std::vector<drive::ScanFile> scans;
+  if (progress.cancelled()) return scans;
+  drive::BadItems bad;
+  for (std::size_t i = 0; i < in_order.size(); ++i)
+    if (first[i].stamp_ns)
+      scans.push_back({in_order[i], *first[i].stamp_ns});
+    else
+      bad.add(*first[i].problem);
+  if (scans.empty() && !in_order.empty()) throw *first.front().problem;
+  bad.report(findings, "missing-scans", directory.string(), say::left_out_scans);
+  std::stable_sort(scans.begin(), scans.end(),
+                   [](const drive::ScanFile& a, const drive::ScanFile& b) { return a.stamp_ns < b.stamp_ns; });
+  return scans;
 }
 
 std::vector<fs::path> scans_in_order(const std::vector<fs::path>& files, CloudFormat format) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/core/progress.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/cloud_file.h"
 #include "model/formats/files/declared_table.h"
@@ -28,6 +29,12 @@ struct NameTimes {
 std::vector<drive::ScanFile> scans_from_names(const std::vector<std::filesystem::path>& files,
                                               const std::filesystem::path& directory, CloudFormat format,
                                               const NameTimes& times, std::vector<drive::Finding>& findings);
+
+/// Of files whose points carry dates (ReadCloud::first_point_ns): each is read once. Those that cannot be read or have
+/// none become a finding. Throws Error(Format) with the reason of the first where that is all of them.
+std::vector<drive::ScanFile> scans_from_points(const std::vector<std::filesystem::path>& files,
+                                               const std::filesystem::path& directory, CloudFormat format,
+                                               std::vector<drive::Finding>& findings, Progress& progress);
 
 /// The files of a format, those with numbers in their names in the order of these: 2.pcd before 10.pcd.
 std::vector<std::filesystem::path> scans_in_order(const std::vector<std::filesystem::path>& files, CloudFormat format);

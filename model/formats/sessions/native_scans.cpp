@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::string_view kFromNames = "from-names", kFromPoints = "from-points";
+
 double positive(const DocumentView& node) {
   const double value = node.number();
   if (value <= 0.0) node.fail(say::native_above_zero());
@@ -70,7 +72,7 @@ void list_declared(const DocumentView& node, const fs::path& folder, SessionSour
 }  // namespace
 
 ListedScans listed_scans(const DocumentView& node, const fs::path& folder, SessionSource& source,
-                         std::vector<drive::Finding>& findings) {
+                         std::vector<drive::Finding>& findings, Progress& progress) {
   node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
   ListedScans listed;
   listed.format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
@@ -85,8 +87,10 @@ ListedScans listed_scans(const DocumentView& node, const fs::path& folder, Sessi
     return listed;
   }
   const std::string stamps = node.at("stamps").string();
-  if (stamps == "from-names") {
-    listed.scans = scans_from_names(source.files(listed.directory), listed.directory, listed.format, findings);
+  if (stamps == kFromNames || stamps == kFromPoints) {
+    const std::vector<fs::path> files = source.files(listed.directory);
+    listed.scans = stamps == kFromNames ? scans_from_names(files, listed.directory, listed.format, findings)
+                                        : scans_from_points(files, listed.directory, listed.format, findings, progress);
     return listed;
   }
   listed.table = folder / stamps;
@@ -96,8 +100,15 @@ ListedScans listed_scans(const DocumentView& node, const fs::path& folder, Sessi
   return listed;
 }
 
-void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
-  ListedScans listed = listed_scans(node, folder, source, session.findings);
+bool stamps_are_in_points(const DocumentView& node) {
+  const auto stamps = node.find("stamps");
+  return stamps && !stamps->is_map() && stamps->string() == kFromPoints;
+}
+
+void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session,
+                Progress& progress) {
+  ListedScans listed = listed_scans(node, folder, source, session.findings, progress);
+  if (progress.cancelled()) return;
   std::vector<drive::ScanFile>& scans = listed.scans;
   const fs::path& directory = listed.directory;
   if (listed.table) session.files.push_back(*listed.table);

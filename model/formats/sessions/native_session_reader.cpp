@@ -142,6 +142,7 @@ bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
   if (root.has("ins") && root.at("ins").has("table")) return false;
   if (week_is_open(root)) return false;
   if (root.has("scans") && root.at("scans").has("stamps") && root.at("scans").at("stamps").is_map()) return false;
+  if (root.has("scans") && stamps_are_in_points(root.at("scans"))) return false;
   for (const auto& [stream, file] :
        {std::pair{"ins", "file"}, {"gnss", "file"}, {"lidar_poses", "file"}, {"scans", "stamps"}})
     if (const auto node = root.find(stream); node && node->has(file) && !node->at(file).is_map())
@@ -220,7 +221,7 @@ void read_lidar(const DocumentView& lidar, const fs::path& folder, SessionSource
   if (scans && scans->has("capture"))
     read_captured_scans(*scans, folder, session, progress);
   else if (scans)
-    read_scans(*scans, folder, source, session);
+    read_scans(*scans, folder, source, session, progress);
   else if (const auto poses = lidar.find("lidar_poses"))
     session.odometry_from_lidar = read_poses(*poses, folder, source, session);
 }
@@ -239,11 +240,12 @@ void settle_clocks(const DocumentView& root, const std::vector<DeclaredLidar>& l
 /// How many there are to be read; nothing where that takes reading them.
 std::optional<std::size_t> count_scans(const DeclaredLidar& lidar, const fs::path& folder) {
   const auto scans = lidar.node.find("scans");
-  if (!scans || scans->has("capture")) return std::nullopt;
   try {
+    if (!scans || scans->has("capture") || stamps_are_in_points(*scans)) return std::nullopt;
     SessionSource whole;
+    Progress progress;
     std::vector<drive::Finding> findings;
-    return listed_scans(*scans, folder, whole, findings).scans.size();
+    return listed_scans(*scans, folder, whole, findings, progress).scans.size();
   } catch (const Error&) {
     return std::nullopt;  // the reader says what is wrong with it
   }
