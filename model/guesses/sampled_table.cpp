@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "messages/guesses.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/guesses/column_names.h"
 
@@ -323,6 +324,12 @@ std::string SampledTable::label(std::size_t column) const {
 
 std::string_view date_order_name(DateOrder order) {
   return order == DateOrder::DayFirst ? "day-first" : order == DateOrder::MonthFirst ? "month-first" : "year-first";
+}
+
+Message words(DateOrder order) {
+  return order == DateOrder::DayFirst     ? say::guess_day_first()
+         : order == DateOrder::MonthFirst ? say::guess_month_first()
+                                          : say::guess_year_first();
 }
 
 double largest_size(const std::vector<double>& values) {

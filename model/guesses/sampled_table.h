@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/messages/message.h"
 #include "model/formats/files/declared_table.h"
 
 namespace remount::guesses {
@@ -45,6 +46,8 @@ struct SampledTable {
 
 /// "day-first": as a manifest has it.
 std::string_view date_order_name(formats::DateOrder order);
+/// "day, month, year".
+Message words(formats::DateOrder order);
 
 /// The largest of the sizes; 0 of none.
 double largest_size(const std::vector<double>& values);

@@ -118,7 +118,10 @@ class LayoutMaker {
   void put_time() {
     layout_.time = ref(ColumnRole::Time);
     layout_.is_date = choices_.time_unit_ns == 0;
-    if (!layout_.is_date) layout_.time_unit_ns = choices_.time_unit_ns;
+    if (layout_.is_date)
+      layout_.date_order = choices_.date_order;
+    else
+      layout_.time_unit_ns = choices_.time_unit_ns;
     layout_.time_scale = choices_.time_scale;
     layout_.offset_ns = choices_.offset_ns;
     layout_.gps_week = if_any(ColumnRole::Week);
@@ -266,6 +269,7 @@ void take_time(const SampledTable& table, const formats::TimeColumns& time, Tabl
   if (time.gps_week) putter.put(*time.gps_week, ColumnRole::Week);
   if (time.nanoseconds) putter.put(*time.nanoseconds, ColumnRole::Nanoseconds);
   choices.time_unit_ns = time.is_date ? 0 : time.time_unit_ns;
+  choices.date_order = time.date_order;
   choices.time_scale = time.time_scale;
   choices.offset_ns = time.offset_ns;
 }

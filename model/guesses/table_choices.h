@@ -51,8 +51,9 @@ inline constexpr std::size_t kAttitudeStyleCount = 5;
 bool is_quaternion(AttitudeStyle style);
 
 struct TableChoices {
-  std::vector<ColumnRole> roles;              ///< of each column; each role but Ignored once
-  std::int64_t time_unit_ns = 1'000'000'000;  ///< 0: the time is a text with a date
+  std::vector<ColumnRole> roles;                                  ///< of each column; each role but Ignored once
+  std::int64_t time_unit_ns = 1'000'000'000;                      ///< 0: the time is a text with a date
+  formats::DateOrder date_order = formats::DateOrder::YearFirst;  ///< of that text
   formats::TimeScale time_scale = formats::TimeScale::Unix;
   std::int64_t offset_ns = 0;   ///< added to the times
   bool position_in_deg = true;  ///< latitude and longitude

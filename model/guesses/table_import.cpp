@@ -32,8 +32,9 @@ bool same_columns_of(const TableChoices& a, const TableChoices& b, const std::ar
 }
 
 bool same_time(const TableChoices& a, const TableChoices& b) {
-  return same_columns_of(a, b, kRolesOfTime) && a.time_unit_ns == b.time_unit_ns && a.time_scale == b.time_scale &&
-         a.offset_ns == b.offset_ns;
+  const bool same_order = a.time_unit_ns != 0 || a.date_order == b.date_order;
+  return same_columns_of(a, b, kRolesOfTime) && a.time_unit_ns == b.time_unit_ns && same_order &&
+         a.time_scale == b.time_scale && a.offset_ns == b.offset_ns;
 }
 bool same_position(const TableChoices& a, const TableChoices& b) {
   return same_columns_of(a, b, kRolesOfPosition) && (a.metric() || a.position_in_deg == b.position_in_deg);

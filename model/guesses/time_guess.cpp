@@ -290,12 +290,15 @@ Message scale_words(const TimeReading& reading) {
 }
 
 /// How another reading is written, for a comment.
-Message alternative_of(const SampledTable& table, const TimeReading& reading, double apart_s) {
+Message alternative_of(const SampledTable& table, const TimeReading& reading, const TimeReading& ours, double apart_s) {
   std::vector<std::string> columns;
   for (const std::size_t column : reading.at) columns.push_back(table.label(column));
-  if (reading.order_open)
-    return say::guess_date_alternative(std::move(columns), std::string(date_order_name(reading.columns.date_order)),
-                                       Duration{apart_s});
+  if (reading.columns.is_date && reading.columns.date_order != ours.columns.date_order) {
+    const std::string order(date_order_name(reading.columns.date_order));
+    if (reading.columns.time_scale == ours.columns.time_scale)
+      return say::guess_date_alternative(std::move(columns), order, Duration{apart_s});
+    return say::guess_date_clock_alternative(std::move(columns), order, scale_words(reading), Duration{apart_s});
+  }
   if (apart_s == 0.0)
     return say::guess_unit_alternative(std::move(columns), reading.unit, Duration{reading.last_s - reading.first_s});
   return say::guess_time_alternative(std::move(columns), reading.unit, scale_words(reading), Duration{apart_s});
@@ -337,7 +340,7 @@ void say_alternatives(const SampledTable& table, const std::vector<TimeReading>&
     if (i == chosen || !differ(other, ours)) continue;
     if (!as_good && (other.weight < 0.2 * ours.weight || (refuted && !other_column))) continue;
     if (!as_good && !other_column && other.weight < 0.5 * ours.weight) continue;
-    guess.alternatives.push_back(alternative_of(table, other, apart_s));
+    guess.alternatives.push_back(alternative_of(table, other, ours, apart_s));
     static_cast<TimeColumns&>(guess.other_layouts.emplace_back()) = other.columns;
     if (!refuted && other.weight >= 0.8 * ours.weight) guess.sureness = Sureness::Open;
   }
@@ -374,7 +377,7 @@ std::optional<ChosenTime> choose_time(const SampledTable& table, const ColumnNam
   guess.evidence.push_back(scale_words(reading));
   if (reading.columns.date_order != DateOrder::YearFirst)
     guess.evidence.push_back(
-        say::guess_date_order(std::string(date_order_name(reading.columns.date_order)),
+        say::guess_date_order(words(reading.columns.date_order),
                               reading.order_open ? say::guess_date_order_open() : say::guess_date_order_told()));
   if (!reading.unit_by_name) guess.evidence.push_back(say::guess_unit_by_size(reading.unit));
   if (!reading.by_name) guess.evidence.push_back(say::guess_time_by_going_up());

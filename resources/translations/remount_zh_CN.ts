@@ -2249,6 +2249,10 @@ The result appears when all of it is done. Esc stops.</source>
         <source>Counts &amp;as</source>
         <translation>计法(&amp;A)</translation>
     </message>
+    <message>
+        <source>&amp;Dates are</source>
+        <translation>日期顺序(&amp;D)</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::CorrelationChart</name>

@@ -173,6 +173,31 @@ TEST_F(import_page, another_reading_that_fits_is_one_choice) {
   EXPECT_FALSE(page()->checks().text().contains("does not follow the drive")) << page()->checks().text().toStdString();
 }
 
+TEST_F(import_page, dates_are_read_in_either_order_of_day_and_month) {
+  std::ofstream table(folder_.filePath("motion.csv").toStdString());
+  table << "date,x,y,z,roll,pitch,yaw\n";
+  for (int i = 0; i < 200; ++i) {
+    const double angle_rad = 0.02 * i;
+    table << "11/12/2023 10:00:" << (i < 100 ? "0" : "") << 0.1 * i << ',' << 40.0 * std::cos(angle_rad) << ','
+          << 40.0 * std::sin(angle_rad) << ",0,0,0," << (angle_rad * 180.0 / M_PI + 90.0) << '\n';
+  }
+  table.close();
+  open_page();
+  EXPECT_TRUE(page()->checks().text().contains("200 of 200 rows")) << page()->checks().text().toStdString();
+  QComboBox* order = nullptr;
+  for (QComboBox* list : page()->conventions().findChildren<QComboBox*>())
+    if (list->isVisible() && list->findText("month, day, year") >= 0 && list->count() == 3) order = list;
+  ASSERT_TRUE(order) << "nobody can say which is the day";
+  EXPECT_EQ(order->currentText(), "day, month, year");
+  EXPECT_TRUE(texts_of(page()->conventions()).contains("dates are written as day, month, year"))
+      << texts_of(page()->conventions()).toStdString();
+  order->setCurrentIndex(order->findText("month, day, year"));
+  emit order->activated(order->currentIndex());
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->checks().text().contains("200 of 200 rows")) << page()->checks().text().toStdString();
+  EXPECT_EQ(page()->choice().choices.date_order, formats::DateOrder::MonthFirst);
+}
+
 TEST_F(import_page, saves_and_opens_and_replaces_nothing_without_asking) {
   open_page();
   button(*page(), "Save and open").click();

@@ -83,6 +83,9 @@ void ConventionForm::make_time() {
   time_unit_ = add_list(groups_[Time], tr("&Unit"));
   for (const std::int64_t unit_ns : kTimeUnits_ns)
     time_unit_->addItem(time_unit_words(unit_ns), QVariant::fromValue<qlonglong>(unit_ns));
+  date_order_ = add_list(groups_[Time], tr("&Dates are"));
+  for (const auto order : {formats::DateOrder::YearFirst, formats::DateOrder::DayFirst, formats::DateOrder::MonthFirst})
+    date_order_->addItem(date_order_words(order), static_cast<int>(order));
   time_scale_ = add_list(groups_[Time], tr("&Clock"));
   for (const auto scale : {formats::TimeScale::Unix, formats::TimeScale::Gps, formats::TimeScale::GpsWeek})
     time_scale_->addItem(time_scale_words(scale), static_cast<int>(scale));
@@ -242,6 +245,8 @@ void ConventionForm::show_guess(Part part) {
 void ConventionForm::show_choices(const TableChoices& choices) {
   choices_ = choices;
   time_unit_->setCurrentIndex(time_unit_->findData(QVariant::fromValue<qlonglong>(choices.time_unit_ns)));
+  date_order_->setCurrentIndex(date_order_->findData(static_cast<int>(choices.date_order)));
+  groups_[Time].form->setRowVisible(date_order_, choices.time_unit_ns == 0);
   time_scale_->setCurrentIndex(time_scale_->findData(static_cast<int>(choices.time_scale)));
   const QSignalBlocker quiet(offset_s_);
   offset_s_->setValue(1e-9 * static_cast<double>(choices.offset_ns));
@@ -262,6 +267,7 @@ void ConventionForm::show_choices(const TableChoices& choices) {
 void ConventionForm::read_form() {
   TableChoices choices = choices_;
   choices.time_unit_ns = time_unit_->currentData().toLongLong();
+  choices.date_order = static_cast<formats::DateOrder>(date_order_->currentData().toInt());
   choices.time_scale = static_cast<formats::TimeScale>(time_scale_->currentData().toInt());
   choices.offset_ns = std::llround(offset_s_->value() * 1e9);
   choices.position_in_deg = position_unit_->currentData().toBool();

@@ -51,7 +51,7 @@ class ConventionForm : public QWidget {
   void read_form();
 
   std::array<Group, PartCount> groups_;
-  QComboBox *time_unit_ = nullptr, *time_scale_ = nullptr, *position_unit_ = nullptr;
+  QComboBox *time_unit_ = nullptr, *date_order_ = nullptr, *time_scale_ = nullptr, *position_unit_ = nullptr;
   QComboBox *style_ = nullptr, *angle_unit_ = nullptr;
   QDoubleSpinBox* offset_s_ = nullptr;
   std::array<QCheckBox*, 3> negated_{};

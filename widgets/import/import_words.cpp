@@ -56,6 +56,8 @@ QString time_scale_words(formats::TimeScale scale) {
   }
 }
 
+QString date_order_words(formats::DateOrder order) { return model_text(guesses::words(order)); }
+
 QString difference_words(const guesses::SampledTable& table, const guesses::TableChoices& from,
                          const guesses::TableChoices& to) {
   QStringList parts;
@@ -64,6 +66,7 @@ QString difference_words(const guesses::SampledTable& table, const guesses::Tabl
       parts << ImportText::tr("%1: %2").arg(QString::fromStdString(table.label(i)),
                                             model_text(guesses::words(to.roles.at(i))));
   if (from.time_unit_ns != to.time_unit_ns) parts << time_unit_words(to.time_unit_ns);
+  if (from.date_order != to.date_order && to.time_unit_ns == 0) parts << date_order_words(to.date_order);
   if (from.time_scale != to.time_scale) parts << time_scale_words(to.time_scale);
   if (from.position_in_deg != to.position_in_deg && !to.metric())
     parts << (to.position_in_deg ? ImportText::tr("position in degrees") : ImportText::tr("position in radians"));

@@ -12,6 +12,7 @@ namespace remount::widgets {
 QString style_words(guesses::AttitudeStyle style);
 QString time_unit_words(std::int64_t unit_ns);
 QString time_scale_words(formats::TimeScale scale);
+QString date_order_words(formats::DateOrder order);
 
 /// What is otherwise: "x: north (y), y: east (x), heading, from north clockwise". Empty where nothing is.
 QString difference_words(const guesses::SampledTable& table, const guesses::TableChoices& from,

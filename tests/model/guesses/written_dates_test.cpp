@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <set>
 
 #include "algorithms/messages/render.h"
 #include "model/formats/files/declared_table.h"
+#include "model/guesses/table_import.h"
 #include "tests/model/guesses/described_rows.h"
 
 namespace remount::guesses {
@@ -40,6 +43,18 @@ class written_dates : public DescribedRows {
         },
         circles(first_ns, 20.0));
     return described({folder});
+  }
+  /// What the import makes of it where nobody touches anything; and how many of the rows it reads.
+  static std::size_t rows_of_import(const fs::path& folder, std::string& manifest_text) {
+    Progress progress;
+    const ImportData data = look_for_import({folder}, progress);
+    const ImportChoice choice{data.table, data.table->preset, {}};
+    const ImportChecks checks = check_choice(data.description, choice, progress);
+    Description again = data.description;
+    std::vector<Message> lacks;
+    again.ins->layout = *layout_of(data.table->table, choice.choices, lacks);
+    manifest_text = manifest(again, folder);
+    return checks.samples;
   }
   static std::string manifest(const Description& found, const fs::path& folder) {
     return formats::to_yaml(manifest_of(found, folder, Language::English));
@@ -78,7 +93,44 @@ TEST_F(written_dates, with_points_or_a_number_above_twelve_leave_no_doubt) {
     EXPECT_NE(manifest(found, folder.path()).find("order: " + name), std::string::npos)
         << manifest(found, folder.path());
     EXPECT_LT(motions_apart(opened(found, folder.path()), *session_), kTextPrecision);
+    std::string imported;
+    EXPECT_EQ(rows_of_import(folder.path(), imported), samples_->size()) << apart;
+    EXPECT_EQ(imported, manifest(found, folder.path()));
   }
+}
+
+TEST_F(written_dates, an_open_order_is_a_choice_of_the_import) {
+  const std::int64_t first_ns = *parse_calendar_ns("2023-12-11 10:00:00");
+  const formats::TemporaryFolder folder;
+  described_circles(folder.path(), first_ns, DateOrder::DayFirst, '/', false);
+  Progress progress;
+  const ImportData data = look_for_import({folder.path()}, progress);
+  ASSERT_TRUE(data.table && data.table->guess);
+  const Guess* time = find_guess(data.table->guess->guesses, GuessKind::Time);
+  ASSERT_TRUE(time);
+  std::set<DateOrder> orders{data.table->preset.date_order};
+  ASSERT_EQ(time->alternatives.size(), time->other_layouts.size());
+  for (std::size_t i = 0; i < time->other_layouts.size(); ++i) {
+    ImportChoice choice{data.table, data.table->preset, {}};
+    take_time(data.table->table, time->other_layouts[i], choice.choices);
+    EXPECT_FALSE(choice.choices == data.table->preset) << english(time->alternatives[i]);
+    const ImportChecks checks = check_choice(data.description, choice, progress);
+    EXPECT_EQ(checks.samples, 400U);
+    std::printf("%s\n", english(time->alternatives[i]).c_str());
+    const bool other_order = choice.choices.date_order != data.table->preset.date_order,
+               gps = choice.choices.time_scale == formats::TimeScale::Gps;
+    EXPECT_EQ(formats::contains(english(time->alternatives[i]), "order"), other_order);
+    EXPECT_EQ(formats::contains(english(time->alternatives[i]), "GPS time"), gps);
+    if (!orders.insert(choice.choices.date_order).second || gps) continue;
+    const Description made = description_of(data.description, choice, checks);
+    EXPECT_FALSE(find_guess(made.ins->guesses, GuessKind::Time)->sureness == Sureness::Open) << "somebody said so";
+    EXPECT_NE(manifest(made, folder.path()).find("order: " + std::string(date_order_name(choice.choices.date_order))),
+              std::string::npos);
+    EXPECT_EQ(std::abs(checks.span.first_ns - first_ns),
+              std::abs(*parse_calendar_ns("2023-11-12 10:00:00") - first_ns) *
+                  (choice.choices.date_order == DateOrder::MonthFirst ? 1 : 0));
+  }
+  EXPECT_EQ(orders.size(), 2U);
 }
 
 TEST_F(written_dates, a_day_beside_its_time_has_an_order_too) {
