@@ -119,9 +119,7 @@ double rank_of(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) 
 
 bool is_used(const fs::path& file, const Description& description) {
   if (description.ins && description.ins->file == file) return true;
-  return std::ranges::any_of(description.lidars, [&](const ScansGuess& lidar) {
-    return lidar.directory == file || lidar.stamps == file || (lidar.table && lidar.table->table == file);
-  });
+  return std::ranges::any_of(description.lidars, [&](const ScansGuess& lidar) { return is_of_scans(lidar, file); });
 }
 
 /// A file of LiDAR poses, where nothing else of a LiDAR is there.
@@ -199,6 +197,10 @@ Message words(Sureness sureness) {
     default:
       return say::guess_is_open();
   }
+}
+
+bool is_of_scans(const ScansGuess& lidar, const fs::path& file) {
+  return lidar.directory == file || lidar.stamps == file || (lidar.table && lidar.table->table == file);
 }
 
 std::vector<Message> what_is_missing(const Description& description) {

@@ -52,6 +52,9 @@ struct Description {
 /// What a session needs and a description does not have.
 std::vector<Message> what_is_missing(const Description& description);
 
+/// Whether a file is one from which those scans are read: their poses, their times, their table.
+bool is_of_scans(const ScansGuess& lidar, const std::filesystem::path& file);
+
 enum class KnownFormats { Told, PassedOver };
 
 /// Looks at files and folders. Asks nothing and writes nothing. What was not compared with the data is said to be so.

@@ -136,6 +136,20 @@ class ChosenIns {
   InsGuess ins_;
 };
 
+/// Those that are read from the table of the INS, too: they would move with it by definition.
+std::set<std::size_t> lidars_of(const Description& description, const fs::path& file) {
+  std::set<std::size_t> lidars;
+  for (std::size_t i = 0; i < description.lidars.size(); ++i)
+    if (description.lidars[i].directory == file) lidars.insert(i);
+  return lidars;
+}
+
+std::set<std::size_t> all_left_out(const Description& description, const ImportChoice& choice) {
+  std::set<std::size_t> left_out = choice.left_out;
+  if (choice.table) left_out.merge(lidars_of(description, choice.table->file));
+  return left_out;
+}
+
 void leave_out_lidars(const std::set<std::size_t>& left_out, Description& description) {
   std::vector<ScansGuess> kept;
   for (std::size_t i = 0; i < description.lidars.size(); ++i) {
@@ -196,10 +210,10 @@ ImportData look_for_import(const std::vector<fs::path>& paths, Progress& progres
   data.description = std::move(looked_at.description);
   data.folder = folder_of(paths);
   const Description& found = data.description;
+  // Poses of a LiDAR may be meant as those of the INS.
   const auto of_scans = [&](const fs::path& file) {
-    return std::ranges::any_of(found.lidars, [&](const ScansGuess& lidar) {
-      return lidar.stamps == file || (lidar.table && lidar.table->table == file);
-    });
+    return std::ranges::any_of(
+        found.lidars, [&](const ScansGuess& lidar) { return lidar.directory != file && is_of_scans(lidar, file); });
   };
   for (const FoundTable& table : looked_at.tables)
     if (table.table.columns.size() >= kFewestColumnsOfMotion && !of_scans(table.file))
@@ -241,13 +255,13 @@ ImportChecks check_choice(const Description& description, const ImportChoice& ch
     if (!layout) return unreadable(std::move(lacks));
     ins.layout = std::move(*layout);
   }
-  return check_import(ins, table.table.rows, stamps_of(description, choice.left_out), progress);
+  return check_import(ins, table.table.rows, stamps_of(description, all_left_out(description, choice)), progress);
 }
 
 Description description_of(const Description& description, const ImportChoice& choice, const ImportChecks& checks) {
   Description made = description;
   if (as_guessed(description, choice)) return made;
-  leave_out_lidars(choice.left_out, made);
+  leave_out_lidars(all_left_out(description, choice), made);
   if (choice.table) {
     const ImportTable& table = *choice.table;
     if (made.ins && made.ins->file != table.file)
@@ -264,6 +278,17 @@ Description description_of(const Description& description, const ImportChoice& c
   }
   made.missing = what_is_missing(made);
   made.clock = made.ins ? guess_clock(*made.ins, made.lidars) : std::nullopt;
+  return made;
+}
+
+std::optional<Description> description_to_save(const Description& description, const ImportChoice& choice,
+                                               const Progress& progress) {
+  ImportChecks checks;
+  if (choice.table) checks = check_choice(description, choice, progress);
+  if (progress.cancelled()) return std::nullopt;
+  Description made = description_of(description, choice, checks);
+  if (choice.table && (!made.ins || checks.samples == 0))
+    throw Error(ErrorCode::Format, choice.table->file.string(), say::import_nothing_to_save());
   return made;
 }
 

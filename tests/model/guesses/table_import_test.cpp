@@ -257,6 +257,51 @@ TEST_F(table_import, a_table_of_names_that_nobody_knows_is_imported_by_hand) {
   EXPECT_LT(apart, kTextPrecision);
 }
 
+TEST_F(table_import, no_manifest_is_made_of_a_table_that_gives_no_motion) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_metric(folder.path() / "motion.csv");
+  const ImportData data = look(folder.path());
+  ImportChoice choice = untouched(data);
+  EXPECT_TRUE(description_to_save(data.description, choice, Progress())->ins);
+  give_role(choice.choices, column(data, "t"), ColumnRole::Ignored);
+  EXPECT_THROW((void)description_to_save(data.description, choice, Progress()), Error);
+  folder.write("motion.csv", "only,a,head\n");
+  EXPECT_THROW((void)description_to_save(data.description, untouched(data), Progress()), Error)
+      << "it was changed since";
+}
+
+TEST_F(table_import, poses_of_a_lidar_that_are_chosen_as_those_of_the_ins_are_not_both) {
+  const formats::TemporaryFolder folder;
+  const auto write_poses = [&](const char* name, const std::vector<WrittenSample>& samples) {
+    std::ofstream out(folder.path() / name);
+    for (const WrittenSample& sample : samples) {
+      const Eigen::Vector3d place = sample.world_from_ins.translation();
+      const Eigen::Quaterniond turn(sample.world_from_ins.linear());
+      out << seconds_text(sample.ins.stamp_ns);
+      for (const double value : {place.x(), place.y(), place.z(), turn.x(), turn.y(), turn.z(), turn.w()})
+        out << ' ' << number(value);
+      out << "\n";
+    }
+  };
+  write_poses("a.tum", *samples_);
+  write_poses("b.tum", *samples_);
+  const ImportData data = look(folder.path());
+  ASSERT_EQ(data.description.lidars.size(), 1U);
+  const fs::path lidar = data.description.lidars.front().directory;
+  ASSERT_NE(std::ranges::find(data.tables, lidar), data.tables.end());
+  ImportChoice choice;
+  choice.table = import_table(lidar, data.description, Progress());
+  choice.choices = choice.table->preset;
+  const ImportChecks checks = check_choice(data.description, choice, Progress());
+  EXPECT_EQ(verdict(checks, CheckKind::Clock), Verdict::NotTold) << "there are no others' times";
+  const Description made = description_of(data.description, choice, checks);
+  ASSERT_TRUE(made.ins);
+  EXPECT_EQ(made.ins->file, lidar);
+  EXPECT_TRUE(made.lidars.empty());
+  EXPECT_TRUE(says(made.missing, "guess-needs-lidar"));
+}
+
 TEST_F(table_import, cancelled_checks_say_nothing) {
   const formats::TemporaryFolder folder;
   write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
