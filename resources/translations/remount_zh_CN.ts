@@ -215,6 +215,14 @@
         <source>Saved as %1</source>
         <translation>已保存为 %1</translation>
     </message>
+    <message>
+        <source>%1 is open. Close that session first, or save the manifest elsewhere. Nothing was written.</source>
+        <translation>%1 已打开。请先关闭该数据，或将清单保存到别处。未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>正在保存 %1…</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::ImportFeature</name>

@@ -210,6 +210,13 @@ TEST_F(import_page, saves_and_opens_and_replaces_nothing_without_asking) {
   open_page();
   choose(1, ColumnRole::North);
   ASSERT_TRUE(checked());
+  feature().controller()->save(manifest());
+  EXPECT_TRUE(texts_of(*page()).contains("is open. Close that session first")) << texts_of(*page()).toStdString();
+  QTest::qWait(100);
+  EXPECT_EQ(text_of(manifest()), first) << "the window would go on with the data of before";
+  workbench_.history().stack().undo();
+  ASSERT_TRUE(workbench_.sessions().empty());
+
   answer(QMessageBox::No);
   feature().controller()->save(manifest());
   EXPECT_EQ(asked_, 1);
@@ -221,6 +228,104 @@ TEST_F(import_page, saves_and_opens_and_replaces_nothing_without_asking) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return text_of(manifest()) != first; }, kPatience_ms));
   EXPECT_NE(text_of(manifest()).find("east: y, north: x"), std::string::npos) << text_of(manifest());
   EXPECT_TRUE(page()) << "it stays open";
+}
+
+TEST_F(import_page, stays_until_it_has_saved_and_is_answered) {
+  open_page();
+  guesses::TableChoices changed = page()->choice().choices;
+  changed.offset_ns = 5;
+  button(*page(), "Save and open").click();
+  EXPECT_FALSE(page()->isEnabled());
+  page()->close();
+  EXPECT_TRUE(page()->isVisible());
+  EXPECT_FALSE(window_.close());
+  EXPECT_TRUE(window_.isVisible());
+  page()->choose(changed);  // a save goes on all the same
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(manifest()) && !window_.isVisible(); }, kPatience_ms))
+      << "it closes once that is saved";
+}
+
+TEST_F(import_page, stays_under_its_questions) {
+  open_page();
+  const QString path = folder_.filePath("other");
+  feature().controller()->save(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled() && QFile::exists(path + ".yaml"); }, kPatience_ms));
+  EXPECT_TRUE(texts_of(*page()).contains("Saved as")) << texts_of(*page()).toStdString();
+  const QPointer<ImportDialog> before = page();
+  bool stays = false;
+  QTimer::singleShot(100, this_, [&] {
+    page()->close();
+    feature().import(folder_.path());
+    stays = before && before->isVisible() && page() == before;
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
+      box->button(QMessageBox::No)->click();
+  });
+  feature().controller()->save(path);
+  EXPECT_TRUE(stays);
+  page()->close();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !page(); }, kPatience_ms));
+}
+
+TEST_F(import_page, replaces_no_good_manifest_by_one_without_the_ins_and_no_other_file) {
+  open_page();
+  const QString path = folder_.filePath("other.yaml");
+  feature().controller()->save(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled(); }, kPatience_ms));
+  const std::string good = text_of(path);
+  EXPECT_NE(good.find("ins_poses:"), std::string::npos);
+  choose(0, ColumnRole::Ignored);
+  EXPECT_FALSE(button(*page(), "Save manifest…").isEnabled()) << "not before it is checked";
+  ASSERT_TRUE(checked());
+  EXPECT_FALSE(button(*page(), "Save manifest…").isEnabled());
+  answer(QMessageBox::Yes);
+  feature().controller()->save(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled(); }, kPatience_ms));
+  EXPECT_EQ(text_of(path), good);
+  EXPECT_TRUE(texts_of(*page()).contains("nothing was saved")) << texts_of(*page()).toStdString();
+
+  button(*page(), "As guessed").click();
+  ASSERT_TRUE(checked());
+  const QString table = folder_.filePath("of_others.yml");
+  std::ofstream(table.toStdString()) << "version: 2\n";
+  answer(QMessageBox::Yes);
+  feature().controller()->save(table);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled(); }, kPatience_ms));
+  EXPECT_EQ(text_of(table), "version: 2\n");
+  EXPECT_EQ(asked_, 2);
+}
+
+TEST_F(import_page, goes_on_where_a_table_cannot_be_read) {
+  open_page();
+  emit page()->table_requested(folder_.filePath("nowhere.csv"));
+  EXPECT_FALSE(page()->checks().isEnabled());
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(texts_of(*page()).contains("nowhere.csv")) << texts_of(*page()).toStdString();
+  EXPECT_TRUE(button(*page(), "Save and open").isEnabled());
+  choose(1, ColumnRole::North);
+  feature().controller()->save(manifest());  // while the check is still to come
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled(); }, kPatience_ms));
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->checks().text().contains("does not follow the drive")) << page()->checks().text().toStdString();
+}
+
+TEST_F(import_page, keeps_what_was_chosen_where_more_is_added) {
+  open_page();
+  choose(1, ColumnRole::North);
+  ASSERT_TRUE(checked());
+  const guesses::TableChoices chosen = page()->choice().choices;
+  const QString scans = folder_.filePath("scans");
+  feature().controller()->look_at({folder_.path(), scans}, {scans});
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->choice().choices == chosen);
+  feature().controller()->look_at({folder_.path(), folder_.filePath("nowhere/at-all")}, {});
+  EXPECT_FALSE(page()->choice().table);
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->choice().choices == chosen);
+  EXPECT_TRUE(texts_of(*page()).contains("nowhere")) << texts_of(*page()).toStdString();
+  QFile::copy(folder_.filePath("motion.csv"), folder_.filePath("second.csv"));
+  feature().controller()->look_at({folder_.path()}, {scans, folder_.filePath("second.csv")});
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(page()->choice().table->file.filename(), "second.csv");
 }
 
 TEST_F(import_page, says_what_is_wrong_with_a_place_that_cannot_be_looked_at) {

@@ -135,7 +135,10 @@ QWidget* ImportDialog::make_buttons() {
   connect(reset_, &QPushButton::clicked, this, [this] {
     left_out_.clear();
     fill_files();
-    if (table_) choose(table_->preset);
+    if (table_)
+      choose(table_->preset);
+    else
+      emit edited();
   });
   return buttons;
 }
@@ -144,7 +147,7 @@ void ImportDialog::show_looking(const QString& where) {
   head_->setText(where.isEmpty() ? QString() : tr("Looking at %1…").arg(where));
   data_.reset();
   table_.reset();
-  whole_ = false;
+  whole_ = read_ = false;
   left_out_.clear();
   filling_ = true;
   files_->clear();
@@ -316,7 +319,7 @@ void ImportDialog::ask_for_table(QTreeWidgetItem* item) {
 }
 
 void ImportDialog::show_checking() {
-  whole_ = false;
+  whole_ = read_ = false;
   checks_->setEnabled(false);
   show_state();
 }
@@ -339,8 +342,27 @@ void ImportDialog::show_checks(const guesses::ImportChecks& checks, const std::v
     show_note({});
   }
   status_->setProperty("missing", !lines.isEmpty());
-  whole_ = missing.empty() && (!table_ || checks.samples > 0);
+  read_ = table_ ? checks.samples > 0 : data_ && (data_->description.ins || !data_->description.lidars.empty());
+  whole_ = missing.empty() && read_;
   show_state();
+}
+
+void ImportDialog::leave_out(const std::set<std::size_t>& lidars) {
+  if (lidars == left_out_) return;
+  left_out_ = lidars;
+  fill_files();
+  show_state();
+}
+
+void ImportDialog::set_saving(bool saving) {
+  saving_ = saving;
+  if (saving) focus_before_saving_ = focusWidget();
+  setEnabled(!saving);
+  if (!saving && focus_before_saving_) focus_before_saving_->setFocus();
+}
+
+void ImportDialog::reject() {
+  if (!saving_ && !held_) QDialog::reject();
 }
 
 void ImportDialog::show_note(const QString& text) {
@@ -352,7 +374,7 @@ void ImportDialog::show_note(const QString& text) {
 void ImportDialog::show_state() {
   if (!open_) return;
   open_->setEnabled(whole_);
-  save_->setEnabled(data_ && (table_ || data_->description.ins || !data_->description.lidars.empty()));
+  save_->setEnabled(read_);
   reset_->setEnabled(!left_out_.empty() || (table_ && choices_ != table_->preset));
 }
 

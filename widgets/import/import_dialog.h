@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QPointer>
 #include <memory>
 #include <set>
 
@@ -32,6 +33,11 @@ class ImportDialog : public QDialog {
   void show_checking();
   void show_checks(const guesses::ImportChecks& checks, const std::vector<Message>& missing);
   void show_note(const QString& text);  ///< above the buttons, until something is changed
+  void leave_out(const std::set<std::size_t>& lidars);
+  /// While a manifest is written, nothing can be changed, and the page cannot be closed.
+  void set_saving(bool saving);
+  /// While a dialog over the page asks something, the page, which owns it, cannot be closed.
+  void set_held(bool held) { held_ = held; }
 
   guesses::ImportChoice choice() const { return {table_, choices_, left_out_}; }
   CheckList& checks() const { return *checks_; }
@@ -40,6 +46,7 @@ class ImportDialog : public QDialog {
 
  public slots:
   void choose(const guesses::TableChoices& choices);
+  void reject() override;
 
  signals:
   void edited();  ///< choice() is another
@@ -68,7 +75,9 @@ class ImportDialog : public QDialog {
   std::optional<guesses::ImportTable> table_;
   guesses::TableChoices choices_;
   std::set<std::size_t> left_out_;
-  bool filling_ = false, whole_ = false;
+  bool filling_ = false, whole_ = false, read_ = false;  ///< whole: it can be opened; read: there is something to save
+  bool saving_ = false, held_ = false;
+  QPointer<QWidget> focus_before_saving_;
 
   QLabel *head_, *no_columns_, *status_;
   QTreeWidget* files_ = nullptr;

@@ -16,6 +16,18 @@ ImportFeature::ImportFeature(MainWindow& window) : Feature(window) {
       if (self) self->import(path);
     });
   });
+  connect(&workbench_.sessions(), &SessionList::session_opened, this, [this](const QString& path) {
+    if (opening_.isEmpty() || QFileInfo(path) != QFileInfo(opening_)) return;
+    opening_.clear();
+    if (dialog_) dialog_->close();
+  });
+}
+
+bool ImportFeature::may_close(const std::function<void()>& again) {
+  if (!controller_ || !controller_->saving()) return true;
+  constexpr auto kOnce = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+  connect(controller_, &ImportController::save_ended, this, again, kOnce);
+  return false;
 }
 
 void ImportFeature::ask_for_table() {
@@ -26,7 +38,8 @@ void ImportFeature::ask_for_table() {
 }
 
 void ImportFeature::import(const QString& path) {
-  if (dialog_) dialog_->close();
+  if (dialog_ && !dialog_->close()) return dialog_->raise();  // it saves, or asks something
+  opening_.clear();
   dialog_ = make_dialog();
   dialog_->show();
   const QFileInfo info(path);
@@ -34,7 +47,7 @@ void ImportFeature::import(const QString& path) {
   if (info.isDir())
     controller_->look_at({path}, {});
   else
-    controller_->look_at({info.absolutePath()}, info.absoluteFilePath());
+    controller_->look_at({info.absolutePath()}, {info.absoluteFilePath()});
 }
 
 widgets::ImportDialog* ImportFeature::make_dialog() {
@@ -49,7 +62,7 @@ widgets::ImportDialog* ImportFeature::make_dialog() {
 }
 
 void ImportFeature::open(const QString& manifest) {
-  if (dialog_) dialog_->close();
+  opening_ = manifest;
   window_.open_paths({manifest});
 }
 

@@ -15,6 +15,7 @@ class ImportFeature : public Feature {
   explicit ImportFeature(MainWindow& window);
   /// Shows the page for a folder, or for a file and what lies beside it.
   void import(const QString& path);
+  bool may_close(const std::function<void()>& again) override;
   ImportController* controller() const { return controller_; }  ///< of the page that is shown; null where none is
 
  private:
@@ -24,6 +25,7 @@ class ImportFeature : public Feature {
 
   QPointer<widgets::ImportDialog> dialog_;
   QPointer<ImportController> controller_;
+  QString opening_;  ///< the manifest behind which the page closes
 };
 
 }  // namespace remount::gui
