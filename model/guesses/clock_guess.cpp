@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
+/// @param added_ns to the times of the span
 std::size_t count_within(const conventions::TimeSpan& span, const std::vector<std::int64_t>& stamps_ns,
                          std::int64_t added_ns = 0) {
   return static_cast<std::size_t>(std::ranges::count_if(stamps_ns, [&](std::int64_t stamp_ns) {
-    return stamp_ns + added_ns >= span.first_ns && stamp_ns + added_ns <= span.last_ns;
+    return stamp_ns >= span.first_ns + added_ns && stamp_ns <= span.last_ns + added_ns;
   }));
 }
 
@@ -30,9 +31,10 @@ bool covers_leap_seconds(const InsGuess& ins, const std::vector<std::int64_t>& s
 }
 
 struct KnownOffset {
-  std::int64_t added_ns = 0;  ///< to the times of the scans
+  std::int64_t added_ns = 0;  ///< to the times of the INS, as `offset_s` of a manifest is
   Message cause;
 };
+constexpr std::size_t kOffsetsOfScales = 6;  ///< of known_offsets those by a few seconds
 
 /// The usual differences, from the likeliest on.
 std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& ins) {
@@ -56,22 +58,40 @@ std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& ins) {
   return offsets;
 }
 
+Message in_words(const KnownOffset& offset, std::size_t inside, std::size_t scans) {
+  return say::guess_clock_together(inside, scans, Duration{1e-9 * static_cast<double>(offset.added_ns)}, offset.cause);
+}
+
+/// The difference of two time scales by which both ends are apart.
+Message nearest_of_scales(const conventions::TimeSpan& scans, const conventions::TimeSpan& ins,
+                          const std::vector<std::int64_t>& stamps_ns) {
+  const double apart_ns =
+      0.5 * (static_cast<double>(scans.first_ns - ins.first_ns) + static_cast<double>(scans.last_ns - ins.last_ns));
+  std::vector<KnownOffset> offsets = known_offsets(ins);
+  offsets.resize(kOffsetsOfScales);
+  const KnownOffset& nearest = *std::ranges::min_element(offsets, {}, [&](const KnownOffset& offset) {
+    return std::abs(static_cast<double>(offset.added_ns) - apart_ns);
+  });
+  return in_words(nearest, count_within(ins, stamps_ns, nearest.added_ns), stamps_ns.size());
+}
+
+/// Of the usual differences those that bring the most together.
 void tell_known_offset(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
   std::vector<KnownOffset> fit;
   std::size_t inside = 0;
   for (KnownOffset& offset : known_offsets(ins.span)) {
     const std::size_t so_many = count_within(ins.span, stamps_ns, offset.added_ns);
-    if (10 * so_many < 9 * stamps_ns.size()) continue;
-    if (fit.empty()) inside = so_many;
+    if (10 * so_many < 9 * stamps_ns.size() || so_many < inside) continue;
+    if (so_many > inside) fit.clear();
+    inside = so_many;
     fit.push_back(std::move(offset));
   }
   if (fit.empty()) return;
-  const auto added = [](const KnownOffset& offset) { return Duration{1e-9 * static_cast<double>(offset.added_ns)}; };
   if (fit.size() == 1) {
-    guess.alternatives.push_back(
-        say::guess_clock_together(inside, stamps_ns.size(), added(fit.front()), std::move(fit.front().cause)));
+    guess.alternatives.push_back(in_words(fit.front(), inside, stamps_ns.size()));
     return;
   }
+  const auto added = [](const KnownOffset& offset) { return Duration{1e-9 * static_cast<double>(offset.added_ns)}; };
   const auto [least, most] = std::ranges::minmax_element(fit, {}, &KnownOffset::added_ns);
   std::vector<Message> causes;
   for (const KnownOffset& offset : fit)
@@ -102,6 +122,7 @@ std::optional<Guess> guess_clock(const InsGuess& ins, const std::vector<ScansGue
   } else if (Message shifted = conventions::shifted_by_leap_seconds(scans, ins.span); !shifted.empty()) {
     guess.sureness = Sureness::Likely;
     guess.evidence.push_back(std::move(shifted));
+    guess.alternatives.push_back(nearest_of_scales(scans, ins.span, stamps_ns));
   } else if (covers_leap_seconds(ins, stamps_ns, inside)) {
     guess.sureness = Sureness::Named;
     guess.evidence.push_back(say::guess_clock_not_to_seconds());

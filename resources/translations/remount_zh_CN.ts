@@ -2194,14 +2194,6 @@ The result appears when all of it is done. Esc stops.</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>Is added to the times of the table</source>
-        <translation>加到表中的时间上</translation>
-    </message>
-    <message>
-        <source>A&amp;dd</source>
-        <translation>加上(&amp;D)</translation>
-    </message>
-    <message>
         <source>U&amp;nit</source>
         <translation>单位(&amp;N)</translation>
     </message>
@@ -2260,6 +2252,14 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>&amp;Dates are</source>
         <translation>日期顺序(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Is added to the times of the table, not to those of the scans. A minus makes them earlier.</source>
+        <translation>加到表中的时间上，而不是扫描的时间上。负数使其提前。</translation>
+    </message>
+    <message>
+        <source>A&amp;dd to its times</source>
+        <translation>其时间加上(&amp;D)</translation>
     </message>
 </context>
 <context>

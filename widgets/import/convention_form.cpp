@@ -95,8 +95,9 @@ void ConventionForm::make_time() {
   offset_s_->setSuffix(tr(" s"));
   offset_s_->setKeyboardTracking(false);
   offset_s_->setMinimumWidth(60);
-  offset_s_->setToolTip(tr("Is added to the times of the table"));
-  groups_[Time].form->addRow(tr("A&dd"), offset_s_);
+  offset_s_->setToolTip(
+      tr("Is added to the times of the table, not to those of the scans. A minus makes them earlier."));
+  groups_[Time].form->addRow(tr("A&dd to its times"), offset_s_);
   connect(offset_s_, &QDoubleSpinBox::valueChanged, this, &ConventionForm::read_form);
 }
 

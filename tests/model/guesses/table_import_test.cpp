@@ -178,6 +178,32 @@ TEST_F(table_import, wrong_choices_are_seen_in_the_check_of_what_they_are_about)
   EXPECT_EQ(verdict(gps, CheckKind::Clock), Verdict::Bad) << said(gps);
 }
 
+TEST_F(table_import, what_the_check_of_the_clocks_advises_makes_it_pass) {
+  for (const double off_s : {18.0, -18.0, 3600.0, -7200.0}) {
+    const formats::TemporaryFolder folder;
+    write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+    write_rows(folder.path() / "motion.csv", "time" + std::string(kGeodeticHead),
+               [off_s](std::size_t, const WrittenSample& sample) {
+                 const std::int64_t off_ns = std::llround(off_s * 1e9);
+                 return joined({seconds_text(sample.ins.stamp_ns + off_ns)}, geodetic(sample));
+               });
+    const ImportData data = look(folder.path());
+    ASSERT_TRUE(data.table);
+    ImportChoice choice = untouched(data);
+    const ImportChecks before = checked(data, choice);
+    EXPECT_NE(verdict(before, CheckKind::Clock), Verdict::Good) << off_s;
+    const auto& evidence = before.find(CheckKind::Clock)->evidence;
+    const auto advice = std::ranges::find(evidence, "guess-clock-together", &Message::code);
+    ASSERT_NE(advice, evidence.end()) << said(before);
+    std::cout << english(*advice) << "\n";
+    const double added_s = std::get<remount::Quantity>(advice->argument("added")->value).value;
+    EXPECT_EQ(added_s, -off_s);
+    choice.choices.offset_ns = std::llround(added_s * 1e9);
+    const ImportChecks after = checked(data, choice);
+    EXPECT_EQ(verdict(after, CheckKind::Clock), Verdict::Good) << said(after);
+  }
+}
+
 TEST_F(table_import, an_offset_of_the_clock_is_kept_in_the_manifest) {
   const formats::TemporaryFolder folder;
   write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
