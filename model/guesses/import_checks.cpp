@@ -14,6 +14,7 @@
 #include "model/formats/files/text_file.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/guesses/clock_guess.h"
+#include "model/guesses/fastest_speed.h"
 #include "model/guesses/position_readings.h"
 #include "model/guesses/table_guess.h"
 #include "model/guesses/travel_fit.h"
@@ -123,16 +124,16 @@ class ImportChecker {
 
   void check_position(const std::vector<StampedPose>& poses) {
     constexpr double kFastestVehicle_mps = 80.0, kLeastWay_m = 5.0;
-    std::vector<double> speeds_mps;
+    std::vector<Eigen::Vector3d> places_m;
+    std::vector<double> times_s;
     double way_m = 0.0;
-    for (std::size_t i = 1; i < poses.size(); ++i) {
-      const double step_m = (poses[i].pose.translation() - poses[i - 1].pose.translation()).head<2>().norm();
-      way_m += step_m;
-      speeds_mps.push_back(step_m / std::max(1e-9, seconds(poses[i].stamp_ns - poses[i - 1].stamp_ns)));
+    for (const StampedPose& pose : poses) {
+      if (!places_m.empty()) way_m += (pose.pose.translation() - places_m.back()).head<2>().norm();
+      places_m.emplace_back(pose.pose.translation());
+      times_s.push_back(seconds(pose.stamp_ns - poses.front().stamp_ns));
     }
-    std::ranges::sort(speeds_mps);
     out_.drive.travelled_m = way_m;
-    const double fastest_mps = speeds_mps.empty() ? 0.0 : speeds_mps[speeds_mps.size() * 99 / 100];
+    const double fastest_mps = fastest_speed_mps(places_m, times_s, distinct_fixes(places_m, times_s));
     ImportCheck& check = add(CheckKind::Position, Verdict::Good);
     check.evidence.push_back(say::import_position(Length{way_m}, Speed{fastest_mps}));
     if (fastest_mps > kFastestVehicle_mps) {

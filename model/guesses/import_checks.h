@@ -33,7 +33,7 @@ struct ImportChecks {
   std::size_t samples = 0;          ///< 0: nothing can be read
   conventions::TimeSpan span{};     ///< of the samples; placed in the week of the scans
   bool week_open = false;
-  overview::DriveOverview drive;  ///< its track, its breaks and where the scans were
+  overview::DriveOverview drive;  ///< its streams, how long and far it goes, and its track; nothing else of it
 
   const ImportCheck* find(CheckKind kind) const;
 };

@@ -11,6 +11,7 @@
 #include "algorithms/geodesy/earth_radius.h"
 #include "algorithms/geometry/degree.h"
 #include "algorithms/geometry/rotation.h"
+#include "model/guesses/fastest_speed.h"
 
 namespace remount::guesses {
 namespace {
@@ -48,33 +49,30 @@ std::vector<Eigen::Vector3d> metres_of(const SampledTable& table, const Position
 
 /// How it would move.
 struct Movement {
-  double way_m = 0.0, fastest_mps = 0.0;  ///< the latter but for one step in a hundred
+  double way_m = 0.0, fastest_mps = 0.0;  ///< the latter but for one stretch in a hundred
   double smoothness = 0.0;                ///< 1 where steps follow each other, 0 where they are noise
 };
 
 Movement movement_of(const std::vector<Eigen::Vector3d>& metres, const std::vector<double>& times_s) {
   Movement movement;
-  std::vector<double> speeds;
+  const std::vector<std::size_t> fixes = distinct_fixes(metres, times_s);
   double squares = 0.0, differences = 0.0;
   Eigen::Vector3d before = Eigen::Vector3d::Zero();
   bool has_before = false;
-  for (std::size_t i = 1; i < metres.size(); ++i) {
-    const double step_s = times_s[i] - times_s[i - 1];
-    const Eigen::Vector3d step = metres[i] - metres[i - 1];
+  for (std::size_t i = 1; i < fixes.size(); ++i) {
+    const double step_s = times_s[fixes[i]] - times_s[fixes[i - 1]];
+    const Eigen::Vector3d step = metres[fixes[i]] - metres[fixes[i - 1]];
     if (!(step_s > 0.0) || !step.allFinite()) {
       has_before = false;
       continue;
     }
     const Eigen::Vector3d velocity = step / step_s;
     movement.way_m += step.head<2>().norm();
-    speeds.push_back(velocity.head<2>().norm());
     if (has_before) squares += velocity.squaredNorm(), differences += (velocity - before).squaredNorm();
     before = velocity;
     has_before = true;
   }
-  if (speeds.empty()) return movement;
-  std::ranges::sort(speeds);
-  movement.fastest_mps = speeds[speeds.size() * 99 / 100];
+  movement.fastest_mps = fastest_speed_mps(metres, times_s, fixes);
   movement.smoothness = squares > 0.0 ? 1.0 - std::min(1.0, differences / squares) : 0.0;
   return movement;
 }

@@ -204,6 +204,37 @@ TEST_F(table_import, what_the_check_of_the_clocks_advises_makes_it_pass) {
   }
 }
 
+TEST_F(table_import, fixes_that_are_held_for_several_rows_are_no_faster) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  const auto write_held = [&](std::size_t rows_a_fix, const std::string& head) {
+    write_rows(folder.path() / "motion.csv", head, [&](std::size_t i, const WrittenSample& sample) {
+      const WrittenSample& held = (*samples_)[i / rows_a_fix * rows_a_fix];
+      Fields row = joined({seconds_text(sample.ins.stamp_ns)}, geodetic(sample));
+      for (std::size_t k = 1; k <= 3; ++k) row[k] = place_deg(held)[k - 1];
+      return row;
+    });
+  };
+  const auto fastest_mps = [](const ImportChecks& checks) {
+    const Message& evidence = checks.find(CheckKind::Position)->evidence.front();
+    return std::get<remount::Quantity>(evidence.argument("speed")->value).value;
+  };
+  double every_row_mps = 0.0;
+  for (const std::size_t rows_a_fix : {1U, 20U, 100U}) {
+    write_held(rows_a_fix, "time" + std::string(kGeodeticHead));
+    const ImportData data = look(folder.path());
+    const ImportChecks checks = checked(data, untouched(data));
+    std::cout << rows_a_fix << " rows a fix: at most " << fastest_mps(checks) << " m/s\n";
+    EXPECT_EQ(verdict(checks, CheckKind::Position), Verdict::Good) << said(checks);
+    if (rows_a_fix == 1) every_row_mps = fastest_mps(checks);
+    EXPECT_NEAR(fastest_mps(checks), every_row_mps, 0.1 * every_row_mps);
+  }
+  write_held(20, "");
+  const ImportData nameless = look(folder.path());
+  ASSERT_TRUE(nameless.description.ins) << "by how its columns move";
+  EXPECT_FALSE(nameless.description.ins->layout.metric_position);
+}
+
 TEST_F(table_import, an_offset_of_the_clock_is_kept_in_the_manifest) {
   const formats::TemporaryFolder folder;
   write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
