@@ -1,11 +1,13 @@
 // A table that no reader knows, made a session in the window.
 #include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QWheelEvent>
 #include <cmath>
 #include <fstream>
 
@@ -155,6 +157,29 @@ TEST_F(import_page, a_changed_role_changes_the_checks_at_once) {
   ASSERT_TRUE(checked());
   EXPECT_TRUE(page()->checks().text().contains("501 of 501 rows"));
   EXPECT_TRUE(button(*page(), "Save and open").isEnabled());
+}
+
+TEST_F(import_page, scrolling_over_a_list_chooses_nothing) {
+  open_page();
+  const guesses::TableChoices before = page()->choice().choices;
+  QWidgetList editors{page()->columns().roles_of(2)};
+  for (QComboBox* list : page()->conventions().findChildren<QComboBox*>()) editors << list;
+  editors << page()->conventions().findChild<QDoubleSpinBox*>();
+  int scrolled = 0;
+  for (QWidget* editor : editors) {
+    if (!editor->isVisible()) continue;
+    editor->setFocus();
+    for (const int turn : {-120, 120, 120}) {
+      const QPointF place = editor->rect().center();
+      QWheelEvent wheel(place, editor->mapToGlobal(place), {}, {0, turn}, Qt::NoButton, Qt::NoModifier,
+                        Qt::NoScrollPhase, false);
+      QApplication::sendEvent(editor, &wheel);
+      ++scrolled;
+    }
+  }
+  EXPECT_GE(scrolled, 3 * 5);
+  EXPECT_TRUE(page()->choice().choices == before);
+  EXPECT_EQ(page()->columns().roles_of(2)->currentText(), "north (y)");
 }
 
 TEST_F(import_page, another_reading_that_fits_is_one_choice) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/basics/wheel_scrolls.h"
 #include "widgets/forms/choice_words.h"
 #include "widgets/text/readable.h"
 
@@ -43,6 +44,7 @@ OptionForm::OptionForm(const QString& section, const settings::Settings& setting
   for (const OptionField& field : option_fields(settings)) {
     if (field.section != section_) continue;
     QWidget* editor = make_editor(field);
+    if (!qobject_cast<QLineEdit*>(editor)) let_wheel_scroll(*editor);
     editor->setToolTip(option_help(field));
     editor->setAccessibleName(option_label(field));
     editor->setAccessibleDescription(option_help(field));

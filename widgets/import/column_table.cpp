@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "widgets/basics/rows.h"
+#include "widgets/basics/wheel_scrolls.h"
 #include "widgets/text/model_text.h"
 
 namespace remount::widgets {
@@ -77,6 +78,7 @@ QComboBox* ColumnTable::make_list(std::size_t column, const QString& title) {
   }
   list->setMaxVisibleItems(32);
   list->setFocusPolicy(Qt::StrongFocus);
+  let_wheel_scroll(*list);
   list->setAccessibleName(tr("What column %1 is").arg(title));
   connect(list, &QComboBox::activated, this,
           [this, list, column] { emit role_chosen(column, static_cast<ColumnRole>(list->currentData().toInt())); });

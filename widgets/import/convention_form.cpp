@@ -13,6 +13,7 @@
 
 #include "widgets/basics/shrinking_area.h"
 #include "widgets/basics/theme.h"
+#include "widgets/basics/wheel_scrolls.h"
 #include "widgets/import/import_words.h"
 #include "widgets/text/model_text.h"
 
@@ -36,6 +37,7 @@ QComboBox* narrow_list(QWidget* parent) {
   auto* list = new QComboBox(parent);
   list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   list->setMinimumContentsLength(10);
+  let_wheel_scroll(*list);
   return list;
 }
 
@@ -94,6 +96,7 @@ void ConventionForm::make_time() {
   offset_s_->setRange(-kMostOffset_s, kMostOffset_s);
   offset_s_->setSuffix(tr(" s"));
   offset_s_->setKeyboardTracking(false);
+  let_wheel_scroll(*offset_s_);
   offset_s_->setMinimumWidth(60);
   offset_s_->setToolTip(
       tr("Is added to the times of the table, not to those of the scans. A minus makes them earlier."));

@@ -14,6 +14,7 @@
 #include "widgets/basics/press_on_purpose.h"
 #include "widgets/basics/rows.h"
 #include "widgets/basics/screen_room.h"
+#include "widgets/basics/wheel_scrolls.h"
 
 namespace remount::widgets {
 
@@ -53,6 +54,7 @@ QWidget* RecoveryDialog::make_entry(int index, const RecoveryEntry& entry) {
   auto* generations = new QComboBox;
   generations->addItems(entry.generations);
   generations->setAccessibleName(tr("Which state"));
+  let_wheel_scroll(*generations);
   generations->setToolTip(
       tr("The newest state is usually the right one; older ones are kept for the case that it is not"));
   auto* restore = new QPushButton(tr("Restore"));

@@ -9,6 +9,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "widgets/basics/axes_picture.h"
+#include "widgets/basics/wheel_scrolls.h"
 #include "widgets/text/parameter_text.h"
 #include "widgets/text/readable.h"
 
@@ -41,6 +42,7 @@ NominalPanel::NominalPanel(QWidget* parent)
     spin->setSingleStep(angle ? 1.0 : 0.1);
     spin->setSuffix(unit_suffix(i));
     spin->setKeyboardTracking(false);
+    let_wheel_scroll(*spin);
     spin->setAccessibleName(tr("Nominal %1").arg(text));
     spin->setAccessibleDescription(convention);
     spin->setToolTip(with_axes);

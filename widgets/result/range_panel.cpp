@@ -11,6 +11,7 @@
 #include "model/results/display_units.h"
 #include "widgets/basics/axes_picture.h"
 #include "widgets/basics/theme.h"
+#include "widgets/basics/wheel_scrolls.h"
 #include "widgets/result/range_bar.h"
 #include "widgets/text/parameter_text.h"
 
@@ -45,6 +46,7 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
     auto* spin = new QDoubleSpinBox(this);
     set_limits(*spin, field);
     spin->setKeyboardTracking(false);
+    let_wheel_scroll(*spin);
     spin->setToolTip(tooltip_with_axes(option_help(field)));
     spin->setAccessibleDescription(option_help(field));
     spin->setObjectName("range." + field.name);
