@@ -183,11 +183,15 @@ bool is_rate(std::string_view name) {
   return false;
 }
 
-}  // namespace
+/// What a title says, as far as it is known.
+struct ReadTitle {
+  std::optional<Quantity> quantity;
+  std::string unit;
+};
 
-std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_view unit_below) {
+ReadTitle read_title(std::string_view title, std::string_view unit_below) {
   title = formats::trim(title);
-  NamedQuantity out;
+  ReadTitle out;
   const std::size_t bracket = bracket_at(title);
   if (bracket != std::string_view::npos) {
     out.unit = unit_of(without_brackets(formats::trim(title.substr(bracket))));
@@ -195,7 +199,7 @@ std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_vie
   } else if (!formats::trim(unit_below).empty()) {
     out.unit = unit_of(without_brackets(formats::trim(unit_below)));
   }
-  if (title.empty()) return std::nullopt;
+  if (title.empty()) return out;
   std::vector<std::string_view> words = words_of(title);
   auto quantity = named(title);
   if (!quantity) quantity = named_by_end(words);
@@ -212,9 +216,23 @@ std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_vie
   }
   if (!quantity && is_rate(title)) quantity = Quantity::Other;
   if (!quantity) quantity = named_by_end(words);
-  if (!quantity) return std::nullopt;
-  out.quantity = *quantity;
+  out.quantity = quantity;
   return out;
+}
+
+}  // namespace
+
+std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_view unit_below) {
+  ReadTitle read = read_title(title, unit_below);
+  if (!read.quantity) return std::nullopt;
+  return NamedQuantity{*read.quantity, std::move(read.unit)};
+}
+
+std::string unit_stated(std::string_view title, std::string_view unit_below) {
+  ReadTitle read = read_title(title, unit_below);
+  if (read.unit.empty() && read.quantity == Quantity::Seconds) return "s";
+  if (read.unit.empty() && read.quantity == Quantity::Nanoseconds) return "ns";
+  return std::move(read.unit);
 }
 
 bool is_unit(std::string_view text) { return !known_unit(without_brackets(formats::trim(text))).empty(); }

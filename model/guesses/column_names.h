@@ -57,6 +57,9 @@ struct NamedQuantity {
 /// @param unit_below of a line of units; empty where there is none
 std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_view unit_below = {});
 
+/// The unit that a title states, likewise, also one whose name nobody knows: "rad" of "angle3 [rad]".
+std::string unit_stated(std::string_view title, std::string_view unit_below = {});
+
 /// "(deg)", "秒": a unit and nothing else.
 bool is_unit(std::string_view text);
 

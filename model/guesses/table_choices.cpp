@@ -1,10 +1,10 @@
 #include "model/guesses/table_choices.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "algorithms/geometry/rotation.h"
 #include "messages/table_import.h"
+#include "model/guesses/column_units.h"
 #include "model/guesses/named_columns.h"
 #include "model/guesses/position_readings.h"
 
@@ -16,18 +16,6 @@ using formats::InsTableLayout;
 using formats::TimeScale;
 
 constexpr std::int64_t kWholeSecond_ns = 1'000'000'000;
-
-constexpr std::array kAngleRoles{ColumnRole::Yaw, ColumnRole::Pitch, ColumnRole::Roll};
-constexpr std::array kQuaternionRoles{ColumnRole::Qx, ColumnRole::Qy, ColumnRole::Qz, ColumnRole::Qw};
-constexpr std::array kGeodeticRoles{ColumnRole::Latitude, ColumnRole::Longitude};
-constexpr std::array kMetricRoles{ColumnRole::East, ColumnRole::North, ColumnRole::Down};
-constexpr std::array kPositionSigmaRoles{ColumnRole::SigmaEast, ColumnRole::SigmaNorth, ColumnRole::SigmaUp};
-constexpr std::array kAttitudeSigmaRoles{ColumnRole::SigmaYaw, ColumnRole::SigmaPitch, ColumnRole::SigmaRoll};
-
-template <std::size_t N>
-bool is_one_of(ColumnRole role, const std::array<ColumnRole, N>& roles) {
-  return std::ranges::find(roles, role) != roles.end();
-}
 
 template <std::size_t N>
 void ignore(TableChoices& choices, const std::array<ColumnRole, N>& roles) {
@@ -235,7 +223,22 @@ std::optional<std::size_t> TableChoices::column(ColumnRole role) const {
 
 bool TableChoices::metric() const { return has(ColumnRole::East) || has(ColumnRole::North) || has(ColumnRole::Down); }
 
-void give_role(TableChoices& choices, std::size_t column, ColumnRole role) {
+bool same_time(const TableChoices& a, const TableChoices& b) {
+  const bool same_order = a.time_unit_ns != 0 || a.date_order == b.date_order;
+  return same_columns(a, b, kTimeRoles) && a.time_unit_ns == b.time_unit_ns && same_order &&
+         a.time_scale == b.time_scale && a.offset_ns == b.offset_ns;
+}
+
+bool same_position(const TableChoices& a, const TableChoices& b) {
+  return same_columns(a, b, kPositionRoles) && (a.metric() || a.position_in_deg == b.position_in_deg);
+}
+
+bool same_attitude(const TableChoices& a, const TableChoices& b) {
+  return same_columns(a, b, kAttitudeRoles) && a.attitude == b.attitude &&
+         (is_quaternion(a.attitude) || (a.attitude_in_deg == b.attitude_in_deg && a.negated == b.negated));
+}
+
+void give_role(const SampledTable& table, TableChoices& choices, std::size_t column, ColumnRole role) {
   const ColumnRole before = choices.roles.at(column);
   if (role != ColumnRole::Ignored)
     for (ColumnRole& other : choices.roles)
@@ -251,6 +254,7 @@ void give_role(TableChoices& choices, std::size_t column, ColumnRole role) {
     ignore(choices, kAngleRoles);
     if (!is_quaternion(choices.attitude)) choices.attitude = AttitudeStyle::QuaternionEnu;
   }
+  take_stated_unit(table, column, choices);
   // What goes with one unit or clock alone brings it along.
   if (role == ColumnRole::Day) choices.time_unit_ns = 0;
   if (role == ColumnRole::Nanoseconds) choices.time_unit_ns = kWholeSecond_ns;
@@ -261,7 +265,6 @@ void give_role(TableChoices& choices, std::size_t column, ColumnRole role) {
 }
 
 void take_time(const SampledTable& table, const formats::TimeColumns& time, TableChoices& choices) {
-  constexpr std::array kTimeRoles{ColumnRole::Time, ColumnRole::Day, ColumnRole::Week, ColumnRole::Nanoseconds};
   RolePutter putter(table, choices);
   ignore(choices, kTimeRoles);
   putter.put(time.time, ColumnRole::Time);
@@ -276,11 +279,8 @@ void take_time(const SampledTable& table, const formats::TimeColumns& time, Tabl
 
 void take_motion(const SampledTable& table, const InsTableLayout& layout, TableChoices& choices) {
   RolePutter putter(table, choices);
-  ignore(choices, kGeodeticRoles);
-  ignore(choices, kMetricRoles);
-  ignore(choices, std::array{ColumnRole::Height});
-  ignore(choices, kAngleRoles);
-  ignore(choices, kQuaternionRoles);
+  ignore(choices, kPositionRoles);
+  ignore(choices, kAttitudeRoles);
   if (layout.metric_position) {
     putter.put_all(*layout.metric_position,
                    {ColumnRole::East, ColumnRole::North, layout.metric_down ? ColumnRole::Down : ColumnRole::Height});
@@ -326,6 +326,7 @@ TableChoices choices_by_names(const SampledTable& table, const std::optional<Tim
     if (const auto column = choices.column(role))
       largest = std::max(largest, largest_size(table.columns[*column].values));
   choices.attitude_in_deg = largest > 2.0 * kPi + 0.01;
+  for (std::size_t i = 0; i < choices.roles.size(); ++i) take_stated_unit(table, i, choices);
   const auto yaw = choices.column(ColumnRole::Yaw);
   if (yaw && names[*yaw]->quantity == Quantity::Yaw) choices.attitude = AttitudeStyle::EnuYaw;
   if (!yaw && choices.has(ColumnRole::Qx)) choices.attitude = AttitudeStyle::QuaternionEnu;

@@ -1,6 +1,7 @@
 // What somebody says of the columns of a table: what each is, and how it counts.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,25 @@ inline constexpr std::size_t kColumnRoleCount = 25;
 /// "latitude".
 Message words(ColumnRole role);
 
+// What says one thing together, in the order of the roles.
+inline constexpr std::array kTimeRoles{ColumnRole::Time, ColumnRole::Day, ColumnRole::Week, ColumnRole::Nanoseconds};
+inline constexpr std::array kGeodeticRoles{ColumnRole::Latitude, ColumnRole::Longitude};
+inline constexpr std::array kMetricRoles{ColumnRole::East, ColumnRole::North, ColumnRole::Down};
+inline constexpr std::array kPositionRoles{ColumnRole::Latitude, ColumnRole::Longitude, ColumnRole::East,
+                                           ColumnRole::North,    ColumnRole::Height,    ColumnRole::Down};
+inline constexpr std::array kAngleRoles{ColumnRole::Yaw, ColumnRole::Pitch, ColumnRole::Roll};
+inline constexpr std::array kQuaternionRoles{ColumnRole::Qx, ColumnRole::Qy, ColumnRole::Qz, ColumnRole::Qw};
+inline constexpr std::array kAttitudeRoles{ColumnRole::Yaw, ColumnRole::Pitch, ColumnRole::Roll, ColumnRole::Qx,
+                                           ColumnRole::Qy,  ColumnRole::Qz,    ColumnRole::Qw};
+inline constexpr std::array kPositionSigmaRoles{ColumnRole::SigmaEast, ColumnRole::SigmaNorth, ColumnRole::SigmaUp};
+inline constexpr std::array kAttitudeSigmaRoles{ColumnRole::SigmaYaw, ColumnRole::SigmaPitch, ColumnRole::SigmaRoll};
+inline constexpr std::array kQualityRoles{ColumnRole::Quality};
+
+template <std::size_t N>
+bool is_one_of(ColumnRole role, const std::array<ColumnRole, N>& roles) {
+  return std::ranges::find(roles, role) != roles.end();
+}
+
 /// How an attitude counts, in the order in which forms offer it.
 enum class AttitudeStyle { Heading, EnuYaw, NovAtel, QuaternionEnu, QuaternionNed };
 inline constexpr std::size_t kAttitudeStyleCount = 5;
@@ -67,9 +87,19 @@ struct TableChoices {
   bool operator==(const TableChoices&) const = default;
 };
 
+template <std::size_t N>
+bool same_columns(const TableChoices& a, const TableChoices& b, const std::array<ColumnRole, N>& roles) {
+  return std::ranges::all_of(roles, [&](ColumnRole role) { return a.column(role) == b.column(role); });
+}
+// Whether two say the same of it: columns and what counts for them.
+bool same_time(const TableChoices& a, const TableChoices& b);
+bool same_position(const TableChoices& a, const TableChoices& b);
+bool same_attitude(const TableChoices& a, const TableChoices& b);
+
 /// Gives a column a role. The column that had it takes the one that this column had; those of another way to say the
-/// same (latitude beside east, angles beside a quaternion) are ignored then, and the conventions follow.
-void give_role(TableChoices& choices, std::size_t column, ColumnRole role);
+/// same (latitude beside east, angles beside a quaternion) are ignored then, and the conventions follow, as does the
+/// unit where the title states one.
+void give_role(const SampledTable& table, TableChoices& choices, std::size_t column, ColumnRole role);
 
 TableChoices choices_of(const SampledTable& table, const formats::InsTableLayout& layout);
 /// Only what is said of the time, only what is said of position and attitude: of an alternative.

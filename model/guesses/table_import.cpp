@@ -10,6 +10,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/guesses/clock_guess.h"
+#include "model/guesses/column_units.h"
 #include "model/guesses/table_guess.h"
 
 namespace remount::guesses {
@@ -17,32 +18,6 @@ namespace remount::guesses {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::array kRolesOfTime{ColumnRole::Time, ColumnRole::Day, ColumnRole::Week, ColumnRole::Nanoseconds};
-constexpr std::array kRolesOfPosition{ColumnRole::Latitude, ColumnRole::Longitude, ColumnRole::East,
-                                      ColumnRole::North,    ColumnRole::Height,    ColumnRole::Down};
-constexpr std::array kRolesOfAttitude{ColumnRole::Yaw, ColumnRole::Pitch, ColumnRole::Roll, ColumnRole::Qx,
-                                      ColumnRole::Qy,  ColumnRole::Qz,    ColumnRole::Qw};
-constexpr std::array kRolesOfPositionSigma{ColumnRole::SigmaEast, ColumnRole::SigmaNorth, ColumnRole::SigmaUp};
-constexpr std::array kRolesOfAttitudeSigma{ColumnRole::SigmaYaw, ColumnRole::SigmaPitch, ColumnRole::SigmaRoll};
-
-template <std::size_t N>
-bool same_columns_of(const TableChoices& a, const TableChoices& b, const std::array<ColumnRole, N>& roles) {
-  return std::ranges::all_of(roles, [&](ColumnRole role) { return a.column(role) == b.column(role); });
-}
-
-bool same_time(const TableChoices& a, const TableChoices& b) {
-  const bool same_order = a.time_unit_ns != 0 || a.date_order == b.date_order;
-  return same_columns_of(a, b, kRolesOfTime) && a.time_unit_ns == b.time_unit_ns && same_order &&
-         a.time_scale == b.time_scale && a.offset_ns == b.offset_ns;
-}
-bool same_position(const TableChoices& a, const TableChoices& b) {
-  return same_columns_of(a, b, kRolesOfPosition) && (a.metric() || a.position_in_deg == b.position_in_deg);
-}
-bool same_attitude(const TableChoices& a, const TableChoices& b) {
-  return same_columns_of(a, b, kRolesOfAttitude) && a.attitude == b.attitude &&
-         (is_quaternion(a.attitude) || (a.attitude_in_deg == b.attitude_in_deg && a.negated == b.negated));
-}
 
 /// The first lines with values.
 std::vector<std::vector<std::string>> first_rows_of(const SampledTable& table, std::string_view text) {
@@ -93,21 +68,16 @@ class ChosenIns {
     ins_.week_open = checks_.week_open;
     const TableChoices& preset = table_.preset;
     const bool time = same_time(choices_, preset);
-    add(GuessKind::Rows, time, kRolesOfTime, {CheckKind::Rows, CheckKind::Rate});
+    add(GuessKind::Rows, time, kTimeRoles, {CheckKind::Rows, CheckKind::Rate});
     if (!ins_.guesses.empty()) ins_.guesses.back().columns.clear();
-    add(GuessKind::Time, time, kRolesOfTime, {});
-    add(GuessKind::Position, same_position(choices_, preset), kRolesOfPosition,
-        {CheckKind::Position, CheckKind::Height});
-    add(GuessKind::Attitude, same_attitude(choices_, preset), kRolesOfAttitude, {CheckKind::Heading, CheckKind::Pitch});
+    add(GuessKind::Time, time, kTimeRoles, {});
+    add(GuessKind::Position, same_position(choices_, preset), kPositionRoles, {CheckKind::Position, CheckKind::Height});
+    add(GuessKind::Attitude, same_attitude(choices_, preset), kAttitudeRoles, {CheckKind::Heading, CheckKind::Pitch});
     if (ins_.layout.position_sigma_enu)
-      add(GuessKind::PositionSigma, same_columns_of(choices_, preset, kRolesOfPositionSigma), kRolesOfPositionSigma,
-          {});
+      add(GuessKind::PositionSigma, same_columns(choices_, preset, kPositionSigmaRoles), kPositionSigmaRoles, {});
     if (ins_.layout.attitude_sigma_yaw_pitch_roll)
-      add(GuessKind::AttitudeSigma, same_columns_of(choices_, preset, kRolesOfAttitudeSigma), kRolesOfAttitudeSigma,
-          {});
-    constexpr std::array kRoleOfQuality{ColumnRole::Quality};
-    if (ins_.layout.quality)
-      add(GuessKind::Quality, same_columns_of(choices_, preset, kRoleOfQuality), kRoleOfQuality, {});
+      add(GuessKind::AttitudeSigma, same_columns(choices_, preset, kAttitudeSigmaRoles), kAttitudeSigmaRoles, {});
+    if (ins_.layout.quality) add(GuessKind::Quality, same_columns(choices_, preset, kQualityRoles), kQualityRoles, {});
     return std::move(ins_);
   }
 
@@ -243,6 +213,27 @@ std::vector<std::int64_t> stamps_of(const Description& description, const std::s
   return stamps_ns;
 }
 
+namespace {
+
+CheckKind check_of(ColumnRole role) {
+  if (role == ColumnRole::Time) return CheckKind::Rate;
+  if (role == ColumnRole::Height || role == ColumnRole::Down) return CheckKind::Height;
+  return is_one_of(role, kAttitudeRoles) || is_one_of(role, kAttitudeSigmaRoles) ? CheckKind::Heading
+                                                                                 : CheckKind::Position;
+}
+
+/// The check of what a column is about says that its title states another unit.
+void doubt_units(const SampledTable& table, const TableChoices& choices, ImportChecks& checks) {
+  for (const OtherUnit& other : other_units(table, choices)) {
+    const auto check = std::ranges::find(checks.checks, check_of(other.role), &ImportCheck::kind);
+    if (check == checks.checks.end()) continue;
+    check->verdict = std::max(check->verdict, Verdict::Doubtful);
+    check->evidence.push_back(say::import_unit_is_other(table.label(other.column), other.stated, other.read));
+  }
+}
+
+}  // namespace
+
 ImportChecks check_choice(const Description& description, const ImportChoice& choice, const Progress& progress) {
   const ImportTable& table = *choice.table;
   InsGuess ins{.file = table.file};
@@ -255,7 +246,10 @@ ImportChecks check_choice(const Description& description, const ImportChoice& ch
     if (!layout) return unreadable(std::move(lacks));
     ins.layout = std::move(*layout);
   }
-  return check_import(ins, table.table.rows, stamps_of(description, all_left_out(description, choice)), progress);
+  ImportChecks checks =
+      check_import(ins, table.table.rows, stamps_of(description, all_left_out(description, choice)), progress);
+  if (!as_poses) doubt_units(table.table, choice.choices, checks);
+  return checks;
 }
 
 Description description_of(const Description& description, const ImportChoice& choice, const ImportChecks& checks) {

@@ -16,8 +16,9 @@ using guesses::ColumnRole;
 
 /// Where lists have a line between kinds of columns.
 bool ends_kind(ColumnRole role) {
-  return role == ColumnRole::Ignored || role == ColumnRole::Nanoseconds || role == ColumnRole::Down ||
-         role == ColumnRole::Roll || role == ColumnRole::Qw || role == ColumnRole::SigmaRoll;
+  return role == ColumnRole::Ignored || role == guesses::kTimeRoles.back() || role == guesses::kPositionRoles.back() ||
+         role == guesses::kAngleRoles.back() || role == guesses::kQuaternionRoles.back() ||
+         role == guesses::kAttitudeSigmaRoles.back();
 }
 
 }  // namespace

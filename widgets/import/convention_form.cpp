@@ -201,33 +201,9 @@ void ConventionForm::take_reading(Part part, int row) {
 }
 
 bool ConventionForm::as_guessed(Part part) const {
-  TableChoices mine = table_.preset, preset = table_.preset;
-  std::vector<Message> lacks;
-  const auto layout = layout_of(table_.table, choices_, lacks);
-  if (!layout) return choices_ == preset;
-  if (part == Time) {
-    take_time(table_.table, *layout, mine);
-  } else {
-    take_motion(table_.table, *layout, mine);
-    const auto keep_other = [&](auto roles_of_part) {
-      for (std::size_t i = 0; i < mine.roles.size(); ++i)
-        if (!roles_of_part(mine.roles[i]) && !roles_of_part(preset.roles[i])) mine.roles[i] = preset.roles[i];
-    };
-    const auto is_angle = [](guesses::ColumnRole role) {
-      return role >= guesses::ColumnRole::Yaw && role <= guesses::ColumnRole::Qw;
-    };
-    const auto is_place = [](guesses::ColumnRole role) {
-      return role >= guesses::ColumnRole::Latitude && role <= guesses::ColumnRole::Down;
-    };
-    if (part == Position) {
-      keep_other(is_place);
-      mine.attitude = preset.attitude, mine.attitude_in_deg = preset.attitude_in_deg, mine.negated = preset.negated;
-    } else {
-      keep_other(is_angle);
-      mine.position_in_deg = preset.position_in_deg;
-    }
-  }
-  return mine == preset;
+  return part == Time       ? same_time(choices_, table_.preset)
+         : part == Position ? same_position(choices_, table_.preset)
+                            : same_attitude(choices_, table_.preset);
 }
 
 void ConventionForm::show_guess(Part part) {

@@ -80,7 +80,7 @@ ImportDialog::ImportDialog(QWidget* parent)
   all->addWidget(make_buttons());
   connect(columns_, &ColumnTable::role_chosen, this, [this](std::size_t place, guesses::ColumnRole role) {
     guesses::TableChoices choices = choices_;
-    give_role(choices, place, role);
+    give_role(table_->table, choices, place, role);
     choose(choices);
   });
   connect(conventions_, &ConventionForm::edited, this, &ImportDialog::choose);

@@ -50,5 +50,17 @@ TEST(column_names, makers_and_people_call_columns_by_many_names) {
   EXPECT_EQ(quantity_of("Roll", "(rad)")->unit, "rad") << "of a line below";
 }
 
+TEST(column_names, units_are_told_without_a_name_that_is_known) {
+  for (const auto& [title, unit] : {std::pair("angle3 [rad]", "rad"),
+                                    {"foo_deg", "deg"},
+                                    {"speed (km/h)", "km/h"},
+                                    {"stamp.nsecs", "ns"},
+                                    {"lat_rad", "rad"},
+                                    {"foo", ""},
+                                    {"x", ""}})
+    EXPECT_EQ(unit_stated(title), unit) << title;
+  EXPECT_EQ(unit_stated("foo", "(ms)"), "ms");
+}
+
 }  // namespace
 }  // namespace remount::guesses

@@ -116,7 +116,7 @@ TEST_F(table_import, a_choice_between_x_to_the_east_and_to_the_north_reaches_man
   EXPECT_EQ(data.table->preset.column(ColumnRole::East), column(data, "x"));
 
   ImportChoice choice = untouched(data);
-  give_role(choice.choices, column(data, "x"), ColumnRole::North);
+  give_role(data.table->table, choice.choices, column(data, "x"), ColumnRole::North);
   EXPECT_EQ(choice.choices.column(ColumnRole::East), column(data, "y")) << "they are exchanged";
   const ImportChecks mirrored = checked(data, choice);
   EXPECT_EQ(verdict(mirrored, CheckKind::Heading), Verdict::Bad) << said(mirrored);
@@ -168,9 +168,10 @@ TEST_F(table_import, wrong_choices_are_seen_in_the_check_of_what_they_are_about)
   EXPECT_EQ(verdict(with([](TableChoices& c) { c.attitude = AttitudeStyle::NovAtel; }), CheckKind::Heading),
             Verdict::Good)
       << "the same angles for other axes";
-  EXPECT_EQ(verdict(with([&](TableChoices& c) { give_role(c, column(data, "temp"), ColumnRole::Height); }),
-                    CheckKind::Height),
-            Verdict::Bad);
+  EXPECT_EQ(
+      verdict(with([&](TableChoices& c) { give_role(data.table->table, c, column(data, "temp"), ColumnRole::Height); }),
+              CheckKind::Height),
+      Verdict::Bad);
   EXPECT_EQ(verdict(with([](TableChoices& c) { c.time_unit_ns = 1'000'000; }), CheckKind::Rate), Verdict::Bad);
   const ImportChecks later = with([](TableChoices& c) { c.offset_ns = 18'000'000'000; });
   EXPECT_EQ(verdict(later, CheckKind::Clock), Verdict::Doubtful) << said(later);
@@ -252,21 +253,81 @@ TEST_F(table_import, roles_take_along_what_goes_with_them) {
   write_metric(folder.path() / "motion.csv");
   const ImportData data = look(folder.path());
   TableChoices choices = data.table->preset;
-  give_role(choices, column(data, "x"), ColumnRole::Latitude);
+  give_role(data.table->table, choices, column(data, "x"), ColumnRole::Latitude);
   EXPECT_FALSE(choices.metric());
   std::vector<Message> lacks;
   EXPECT_FALSE(layout_of(data.table->table, choices, lacks));
   ASSERT_EQ(lacks.size(), 1U);
   EXPECT_TRUE(formats::contains(english(lacks[0]), "longitude")) << english(lacks[0]);
-  give_role(choices, column(data, "roll"), ColumnRole::Qx);
+  give_role(data.table->table, choices, column(data, "roll"), ColumnRole::Qx);
   EXPECT_EQ(choices.attitude, AttitudeStyle::QuaternionEnu);
   EXPECT_FALSE(choices.has(ColumnRole::Yaw));
-  give_role(choices, column(data, "z"), ColumnRole::Week);
+  give_role(data.table->table, choices, column(data, "z"), ColumnRole::Week);
   EXPECT_EQ(choices.time_scale, formats::TimeScale::Gps);
   choices.time_scale = formats::TimeScale::Unix;
   lacks.clear();
   EXPECT_FALSE(layout_of(data.table->table, choices, lacks));
   EXPECT_TRUE(says(lacks, "import-week-needs-gps"));
+}
+
+TEST_F(table_import, columns_that_are_chosen_by_hand_are_read_in_the_units_of_their_titles) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_rows(folder.path() / "motion.csv", "when (ms),p [rad],q [rad],r (m),a(rad),b(rad),c(rad),speed (km/h)\n",
+             [](std::size_t, const WrittenSample& sample) {
+               const drive::AttitudeAngles angles = heading_angles(sample);
+               return Fields{std::to_string(sample.ins.stamp_ns / 1'000'000),
+                             number(sample.ins.latitude_rad),
+                             number(sample.ins.longitude_rad),
+                             number(sample.ins.height_m),
+                             number(angles.roll_rad),
+                             number(angles.pitch_rad),
+                             number(angles.yaw_rad),
+                             "21.5"};
+             });
+  const ImportData data = look(folder.path());
+  ASSERT_TRUE(data.table);
+  ImportChoice choice = untouched(data);
+  choice.choices = {};  // degrees, seconds
+  choice.choices.roles.assign(8, ColumnRole::Ignored);
+  constexpr std::array kRoles{ColumnRole::Time, ColumnRole::Latitude, ColumnRole::Longitude, ColumnRole::Height,
+                              ColumnRole::Roll, ColumnRole::Pitch,    ColumnRole::Yaw};
+  for (std::size_t i = 0; i < kRoles.size(); ++i) give_role(data.table->table, choice.choices, i, kRoles[i]);
+  EXPECT_EQ(choice.choices.time_unit_ns, 1'000'000);
+  EXPECT_FALSE(choice.choices.position_in_deg);
+  EXPECT_FALSE(choice.choices.attitude_in_deg);
+  const ImportChecks checks = checked(data, choice);
+  for (const ImportCheck& check : checks.checks)
+    EXPECT_TRUE(check.verdict == Verdict::Good || check.verdict == Verdict::NotTold) << said(checks);
+
+  choice.choices.position_in_deg = true;
+  const ImportChecks degrees = checked(data, choice);
+  EXPECT_TRUE(formats::contains(said(degrees), "the title of p [rad] states \"rad\", and it is read in \"deg\""))
+      << said(degrees);
+  EXPECT_EQ(verdict(degrees, CheckKind::Position), Verdict::Doubtful);
+  choice.choices.position_in_deg = false;
+  give_role(data.table->table, choice.choices, column(data, "speed (km/h)"), ColumnRole::Height);
+  const ImportChecks speed = checked(data, choice);
+  EXPECT_TRUE(formats::contains(said(speed), "states \"km/h\", and it is read in \"m\"")) << said(speed);
+  EXPECT_EQ(verdict(speed, CheckKind::Height), Verdict::Doubtful);
+}
+
+TEST_F(table_import, a_time_that_is_a_text_is_read_as_a_date) {
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  write_rows(folder.path() / "motion.csv", "at,other" + std::string(kGeodeticHead),
+             [](std::size_t, const WrittenSample& sample) {
+               return joined({formats::format_date_ns(sample.ins.stamp_ns), seconds_text(sample.ins.stamp_ns)},
+                             geodetic(sample));
+             });
+  const ImportData data = look(folder.path());
+  ASSERT_TRUE(data.table);
+  ImportChoice choice = untouched(data);
+  for (const std::string title : {"other", "at", "other", "at"}) {
+    give_role(data.table->table, choice.choices, column(data, title), ColumnRole::Time);
+    EXPECT_EQ(choice.choices.time_unit_ns, title == "at" ? 0 : 1'000'000'000) << title;
+    EXPECT_EQ(checked(data, choice).samples, samples_->size()) << said(checked(data, choice));
+  }
 }
 
 TEST_F(table_import, scans_that_are_left_out_are_not_in_the_manifest) {
@@ -299,11 +360,12 @@ TEST_F(table_import, a_table_of_names_that_nobody_knows_is_imported_by_hand) {
   });
   const ImportData data = look(folder.path());
   ASSERT_TRUE(data.table);
-  if (data.table->guess) std::cout << "it was guessed all the same\n";
   ImportChoice choice = untouched(data);
+  choice.choices.roles.assign(choice.choices.roles.size(), ColumnRole::Ignored);  // whatever was guessed
+  EXPECT_EQ(checked(data, choice).samples, 0U);
   constexpr std::array kRoles{ColumnRole::Roll,  ColumnRole::Height, ColumnRole::Yaw,      ColumnRole::Latitude,
                               ColumnRole::Pitch, ColumnRole::Time,   ColumnRole::Longitude};
-  for (std::size_t i = 0; i < kRoles.size(); ++i) give_role(choice.choices, i, kRoles[i]);
+  for (std::size_t i = 0; i < kRoles.size(); ++i) give_role(data.table->table, choice.choices, i, kRoles[i]);
   choice.choices.attitude = AttitudeStyle::Heading;
   choice.choices.attitude_in_deg = choice.choices.position_in_deg = true;
   const ImportChecks checks = checked(data, choice);
@@ -321,7 +383,7 @@ TEST_F(table_import, no_manifest_is_made_of_a_table_that_gives_no_motion) {
   const ImportData data = look(folder.path());
   ImportChoice choice = untouched(data);
   EXPECT_TRUE(description_to_save(data.description, choice, Progress())->ins);
-  give_role(choice.choices, column(data, "t"), ColumnRole::Ignored);
+  give_role(data.table->table, choice.choices, column(data, "t"), ColumnRole::Ignored);
   EXPECT_THROW((void)description_to_save(data.description, choice, Progress()), Error);
   folder.write("motion.csv", "only,a,head\n");
   EXPECT_THROW((void)description_to_save(data.description, untouched(data), Progress()), Error)
