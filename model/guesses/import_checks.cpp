@@ -44,6 +44,7 @@ class ImportChecker {
     try {
       read();
     } catch (const Error& error) {
+      if (progress_.cancelled()) return {};
       return unreadable({drive::message_of(error)});
     }
     if (progress_.cancelled() || poses_.empty()) return {};

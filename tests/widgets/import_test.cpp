@@ -14,6 +14,7 @@
 #include "app/gui/features/import_feature.h"
 #include "messages/sessions.h"
 #include "tests/widgets/support/window_fixture.h"
+#include "widgets/basics/theme.h"
 #include "widgets/import/check_list.h"
 #include "widgets/import/column_table.h"
 #include "widgets/import/convention_form.h"
@@ -356,7 +357,10 @@ TEST_F(import_page, keeps_what_was_chosen_where_more_is_added) {
 TEST_F(import_page, says_what_is_wrong_with_a_place_that_cannot_be_looked_at) {
   feature().import(folder_.filePath("nowhere/at-all"));
   ASSERT_TRUE(page());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return texts_of(*page()).contains("nowhere"); }, kPatience_ms));
+  const auto looks = [&] { return texts_of(*page()).contains("Looking at"); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !looks(); }, kPatience_ms));
+  EXPECT_TRUE(texts_of(*page()).contains("nowhere: cannot be opened")) << texts_of(*page()).toStdString();
+  EXPECT_TRUE(texts_of(*page()).contains(severity_sign(drive::Severity::Problem)));
   EXPECT_FALSE(button(*page(), "Save manifest…").isEnabled());
 }
 

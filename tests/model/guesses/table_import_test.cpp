@@ -428,8 +428,11 @@ TEST_F(table_import, cancelled_checks_say_nothing) {
   const ImportData data = look(folder.path());
   std::stop_source stop;
   stop.request_stop();
+  EXPECT_EQ(checked(data, untouched(data)).samples, samples_->size());
   const ImportChecks checks = check_choice(data.description, untouched(data), Progress(stop.get_token()));
   EXPECT_EQ(checks.samples, 0U);
+  EXPECT_TRUE(checks.checks.empty()) << said(checks);
+  EXPECT_FALSE(description_to_save(data.description, untouched(data), Progress(stop.get_token())));
 }
 
 }  // namespace
