@@ -144,6 +144,8 @@ fs::path folder_of(const std::vector<fs::path>& paths) {
 
 }  // namespace
 
+bool is_of_lidar(const Description& description, const fs::path& file) { return !lidars_of(description, file).empty(); }
+
 ImportTable import_table(const fs::path& file, const Description& description, const Progress& progress) {
   const std::string text = formats::read_text_file(file);
   auto sampled = sample_table(file, text);
@@ -190,6 +192,7 @@ ImportData look_for_import(const std::vector<fs::path>& paths, Progress& progres
       data.tables.push_back(table.file);
   looked_at.tables.clear();
   std::optional<fs::path> first;
+  const auto is_lidars = [&](const fs::path& file) { return is_of_lidar(found, file); };
   const auto is_meant = [&](const fs::path& file) {
     std::error_code error;
     return meant && fs::equivalent(file, *meant, error);
@@ -198,8 +201,8 @@ ImportData look_for_import(const std::vector<fs::path>& paths, Progress& progres
     first = *chosen;
   else if (found.ins)
     first = found.ins->log ? std::nullopt : std::optional(found.ins->file);
-  else if (!data.tables.empty())
-    first = data.tables.front();
+  else if (const auto other = std::ranges::find_if_not(data.tables, is_lidars); other != data.tables.end())
+    first = *other;
   if (first && !progress.cancelled()) data.table = import_table(*first, found, progress);
   return data;
 }

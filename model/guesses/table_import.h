@@ -29,9 +29,13 @@ struct ImportData {
   std::filesystem::path folder;  ///< of the manifest
   Description description;
   std::vector<std::filesystem::path> tables;  ///< with columns enough for a motion
-  std::optional<ImportTable> table;           ///< of the motion that was found, else the first; nothing beside a log
+  std::optional<ImportTable> table;           ///< of the motion that was found, else the first that may be one
   Message opens_as;                           ///< what reads it without any manifest; empty for nothing
 };
+
+/// Whether a table is the poses of a LiDAR: as the motion of the INS it is shown where somebody asks for it alone, and
+/// the LiDAR is left out then.
+bool is_of_lidar(const Description& description, const std::filesystem::path& file);
 
 /// Looks at files and folders. @param meant the table that is asked for, if any
 /// Throws as describe_data.

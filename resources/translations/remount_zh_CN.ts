@@ -2692,6 +2692,37 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::widgets::FoundFilesTree</name>
+    <message>
+        <source>Files that were found</source>
+        <translation>找到的文件</translation>
+    </message>
+    <message>
+        <source>Motion of the INS</source>
+        <translation>INS 的运动</translation>
+    </message>
+    <message>
+        <source>poses of a LiDAR</source>
+        <translation>激光雷达的位姿</translation>
+    </message>
+    <message>
+        <source>none was found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>none were found: add the folder that holds them</source>
+        <translation>未找到：请添加其所在的文件夹</translation>
+    </message>
+    <message>
+        <source>Not used</source>
+        <translation>未使用</translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -2836,10 +2867,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>导入表格</translation>
     </message>
     <message>
-        <source>Files that were found</source>
-        <translation>找到的文件</translation>
-    </message>
-    <message>
         <source>Add &amp;folder…</source>
         <translation>添加文件夹(&amp;F)…</translation>
     </message>
@@ -2892,28 +2919,16 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>没有找到列数足以包含时间、位置和姿态的表格。</translation>
     </message>
     <message>
-        <source>Motion of the INS</source>
-        <translation>INS 的运动</translation>
-    </message>
-    <message>
-        <source>none was found</source>
-        <translation>未找到</translation>
-    </message>
-    <message>
-        <source>Scans</source>
-        <translation>扫描</translation>
-    </message>
-    <message>
-        <source>none were found: add the folder that holds them</source>
-        <translation>未找到：请添加其所在的文件夹</translation>
-    </message>
-    <message>
-        <source>Not used</source>
-        <translation>未使用</translation>
-    </message>
-    <message>
         <source>It cannot be opened yet: %1</source>
         <translation>尚不能打开：%1</translation>
+    </message>
+    <message>
+        <source>%1 was taken for the poses of a LiDAR, and cannot be both: as the motion of the INS it needs scans or poses of another LiDAR beside it.</source>
+        <translation>%1 原被视为激光雷达的位姿，不能同时作为两者：作为 INS 的运动时，还需要另一激光雷达的扫描或位姿。</translation>
+    </message>
+    <message>
+        <source>No motion of the INS was found. Add it; or choose the poses on the left, if they are those of the INS.</source>
+        <translation>未找到 INS 的运动。请添加；若左侧的位姿属于 INS，请选择它们。</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 #include "widgets/import/check_list.h"
 #include "widgets/import/column_table.h"
 #include "widgets/import/convention_form.h"
+#include "widgets/import/found_files_tree.h"
 #include "widgets/import/import_dialog.h"
 #include "widgets/shell/message_banner.h"
 
@@ -352,6 +353,30 @@ TEST_F(import_page, keeps_what_was_chosen_where_more_is_added) {
   feature().controller()->look_at({folder_.path()}, {scans, folder_.filePath("second.csv")});
   ASSERT_TRUE(checked());
   EXPECT_EQ(page()->choice().table->file.filename(), "second.csv");
+}
+
+TEST_F(import_page, says_that_poses_are_those_of_a_lidar) {
+  QDir(folder_.filePath("scans")).removeRecursively();
+  QFile::remove(folder_.filePath("motion.csv"));
+  std::ofstream out(folder_.filePath("odometry.tum").toStdString());
+  out.precision(16);
+  for (int i = 0; i < 300; ++i)
+    out << 1'700'000'000.0 + 0.1 * i << ' ' << 0.5 * i << ' ' << 3.0 * std::sin(0.1 * i) << " 0 " << std::sin(0.37 * i)
+        << " 0 0 " << std::cos(0.37 * i) << "\n";
+  out.close();
+  feature().import(folder_.path());
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return texts_of(*page()).contains("No motion of the INS was found"); }, kPatience_ms));
+  EXPECT_FALSE(page()->choice().table);
+  auto& files = *page()->findChild<FoundFilesTree*>();
+  QTreeWidgetItem* item = files.topLevelItem(0)->child(0);
+  EXPECT_EQ(item->text(0), "○ odometry.tum\nposes of a LiDAR");
+  emit files.itemClicked(item, 0);
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(texts_of(*page()).contains("odometry.tum was taken for the poses of a LiDAR"))
+      << texts_of(*page()).toStdString();
+  EXPECT_EQ(files.topLevelItem(1)->child(0)->checkState(0), Qt::Unchecked);
+  photograph(*page(), "74-import-poses");
 }
 
 TEST_F(import_page, says_what_is_wrong_with_a_place_that_cannot_be_looked_at) {

@@ -7,19 +7,17 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QSplitter>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/basics/press_on_purpose.h"
-#include "widgets/basics/rows.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/shrinking_area.h"
 #include "widgets/basics/theme.h"
-#include "widgets/basics/wrapping_delegate.h"
 #include "widgets/import/check_list.h"
 #include "widgets/import/column_table.h"
 #include "widgets/import/convention_form.h"
+#include "widgets/import/found_files_tree.h"
 #include "widgets/sessions/drive_map.h"
 #include "widgets/text/model_text.h"
 
@@ -27,15 +25,6 @@ namespace remount::widgets {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kFileRole = Qt::UserRole, kLidarRole = Qt::UserRole + 1;
-
-QString scans_words(const guesses::ScansGuess& scans) {
-  QStringList lines;
-  for (const guesses::Guess& guess : scans.guesses)
-    for (const Message& evidence : guess.evidence) lines << model_text(evidence);
-  return lines.join('\n');
-}
 
 QLabel* wrapped_label(QWidget* parent) {
   auto* label = new QLabel(parent);
@@ -49,7 +38,7 @@ QLabel* wrapped_label(QWidget* parent) {
 ImportDialog::ImportDialog(QWidget* parent)
     : QDialog(parent),
       head_(wrapped_label(this)),
-      no_columns_(wrapped_label(this)),
+      about_table_(wrapped_label(this)),
       status_(wrapped_label(this)),
       columns_(new ColumnTable(this)),
       conventions_(new ConventionForm(this)),
@@ -63,7 +52,7 @@ ImportDialog::ImportDialog(QWidget* parent)
   auto* right = new QWidget(this);
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(no_columns_);
+  column->addWidget(about_table_);
   column->addWidget(columns_, 3);
   column->addWidget(conventions_, 3);
   column->addLayout(below, 4);
@@ -92,18 +81,10 @@ ImportDialog::ImportDialog(QWidget* parent)
 
 QWidget* ImportDialog::make_files() {
   auto* side = new QWidget(this);
-  files_ = new QTreeWidget(side);
-  files_->setHeaderHidden(true);
-  files_->setRootIsDecorated(false);
-  files_->setIndentation(10);
-  files_->setWordWrap(true);
-  files_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  files_->setItemDelegate(new WrappingDelegate(*files_));
-  files_->setAccessibleName(tr("Files that were found"));
-  files_->setMinimumWidth(190);
-  connect(files_, &QTreeWidget::itemChanged, this, &ImportDialog::take_check);
-  connect(files_, &QTreeWidget::itemClicked, this, &ImportDialog::ask_for_table);
-  connect(files_, &QTreeWidget::itemActivated, this, &ImportDialog::ask_for_table);
+  files_ = new FoundFilesTree(side);
+  connect(files_, &FoundFilesTree::lidar_checked, this, &ImportDialog::check_lidar);
+  connect(files_, &FoundFilesTree::motion_chosen, this, &ImportDialog::choose_motion,
+          Qt::QueuedConnection);  // the list is made anew
   auto* folder = new QPushButton(tr("Add &folder…"), side);
   folder->setToolTip(tr("Scans or tables that lie elsewhere"));
   auto* more = new QPushButton(tr("Add fi&les…"), side);
@@ -134,7 +115,7 @@ QWidget* ImportDialog::make_buttons() {
   connect(open_, &QPushButton::clicked, this, &ImportDialog::open_requested);
   connect(reset_, &QPushButton::clicked, this, [this] {
     left_out_.clear();
-    fill_files();
+    show_files();
     if (table_)
       choose(table_->preset);
     else
@@ -144,16 +125,15 @@ QWidget* ImportDialog::make_buttons() {
 }
 
 void ImportDialog::show_looking(const QString& where) {
+  head_->show();
   head_->setText(where.isEmpty() ? QString() : tr("Looking at %1…").arg(where));
   data_.reset();
   table_.reset();
   whole_ = read_ = false;
   left_out_.clear();
-  filling_ = true;
-  files_->clear();
-  filling_ = false;
+  show_files();
   for (QWidget* widget : {static_cast<QWidget*>(columns_), static_cast<QWidget*>(conventions_)}) widget->hide();
-  no_columns_->hide();
+  about_table_->hide();
   checks_->show_text({});
   map_->show_drive(nullptr, {});
   show_note({});
@@ -165,47 +145,64 @@ void ImportDialog::show_problem(const QString& what) {
   head_->setText(severity_sign(drive::Severity::Problem) + ' ' + what);
 }
 
-QString ImportDialog::shown_path(const fs::path& path) const {
-  const fs::path relative = path.lexically_relative(data_->folder);
-  const bool below = !relative.empty() && *relative.begin() != "..";
-  return QString::fromStdString(below ? relative.string() : path.string());
-}
-
 void ImportDialog::show_data(std::shared_ptr<const guesses::ImportData> found) {
   data_ = std::move(found);
   left_out_.clear();
-  const QString opens = data_->opens_as.empty()
-                            ? QString()
-                            : ' ' + tr("It opens without an import, too: %1").arg(model_text(data_->opens_as));
-  head_->setText(tr("Say above each column what it is; the checks below compare it with the drive at every change.") +
-                 opens);
-  if (data_->table) {
+  if (data_->table)
     show_table(*data_->table);
-  } else {
-    table_.reset();
-    choices_ = {};
-    no_columns_->setText(data_->description.ins
-                             ? tr("%1 says itself what it holds: there are no columns to choose.")
-                                   .arg(shown_path(data_->description.ins->file))
-                             : tr("No table with columns enough for time, position and attitude was found."));
-    no_columns_->show();
-    columns_->hide();
-    conventions_->hide();
-  }
-  fill_files();
+  else
+    show_no_table();
+}
+
+void ImportDialog::show_no_table() {
+  table_.reset();
+  choices_ = {};
+  columns_->hide();
+  conventions_->hide();
+  show_files();
+  show_about();
   show_state();
+}
+
+/// What is to be done; where there are no columns, why; of those of a LiDAR that they are.
+void ImportDialog::show_about() {
+  const guesses::Description& found = data_->description;
+  QStringList head;
+  if (table_)
+    head << tr("Say above each column what it is; the checks below compare it with the drive at every change.");
+  if (!data_->opens_as.empty()) head << tr("It opens without an import, too: %1").arg(model_text(data_->opens_as));
+  head_->setText(head.join(' '));
+  head_->setVisible(!head.isEmpty());
+  const bool lidars = table_ && is_of_lidar(found, table_->file);
+  QString about;
+  if (lidars)
+    about = tr("%1 was taken for the poses of a LiDAR, and cannot be both: as the motion of the INS it needs scans or "
+               "poses "
+               "of another LiDAR beside it.")
+                .arg(files_->shown_path(table_->file));
+  else if (!table_ && found.ins)
+    about =
+        tr("%1 says itself what it holds: there are no columns to choose.").arg(files_->shown_path(found.ins->file));
+  else if (!table_ && !data_->tables.empty())
+    about =
+        tr("No motion of the INS was found. Add it; or choose the poses on the left, if they are those of the INS.");
+  else if (!table_)
+    about = tr("No table with columns enough for time, position and attitude was found.");
+  about_table_->setText(about);
+  about_table_->setVisible(!about.isEmpty());
+  set_style(*about_table_, lidars ? text_in(warning_color) : Style([](const QPalette&) { return QString(); }));
 }
 
 void ImportDialog::show_table(const guesses::ImportTable& table) {
   table_ = table;
   choices_ = table.preset;
-  no_columns_->hide();
   columns_->show_table(table);
   columns_->show_roles(choices_.roles);
   conventions_->show_table(table);
   columns_->show();
   conventions_->show();
-  mark_table();
+  show_files();
+  show_about();
   show_state();
 }
 
@@ -218,92 +215,15 @@ void ImportDialog::choose(const guesses::TableChoices& choices) {
   emit edited();
 }
 
-QTreeWidgetItem* ImportDialog::add_heading(const QString& title) {
-  auto* heading = new QTreeWidgetItem(files_, {title});
-  heading->setFlags(Qt::ItemIsEnabled);
-  QFont bold = files_->font();
-  bold.setBold(true);
-  heading->setFont(0, bold);
-  heading->setExpanded(true);
-  return heading;
+void ImportDialog::show_files() {
+  const fs::path used = table_                            ? table_->file
+                        : data_ && data_->description.ins ? data_->description.ins->file
+                                                          : fs::path();
+  files_->show_files(data_, used, left_out_);
 }
 
-void ImportDialog::fill_files() {
-  filling_ = true;
-  files_->clear();
-  if (data_) {
-    add_tables();
-    add_scans();
-    add_not_used();
-    files_->expandAll();
-  }
-  filling_ = false;
-  mark_table();
-}
-
-void ImportDialog::add_tables() {
-  QTreeWidgetItem* heading = add_heading(tr("Motion of the INS"));
-  const auto add = [&](const fs::path& file) {
-    auto* item = new QTreeWidgetItem(heading, {shown_path(file)});
-    item->setData(0, kFileRole, QString::fromStdString(file.string()));
-    item->setToolTip(0, QString::fromStdString(file.string()));
-  };
-  const guesses::Description& found = data_->description;
-  if (found.ins && std::ranges::find(data_->tables, found.ins->file) == data_->tables.end()) add(found.ins->file);
-  for (const fs::path& file : data_->tables) add(file);
-  if (heading->childCount() == 0) new QTreeWidgetItem(heading, {tr("none was found")});
-}
-
-void ImportDialog::add_scans() {
-  QTreeWidgetItem* heading = add_heading(tr("Scans"));
-  const std::vector<guesses::ScansGuess>& lidars = data_->description.lidars;
-  for (std::size_t i = 0; i < lidars.size(); ++i) {
-    auto* item = new QTreeWidgetItem(heading, {shown_path(lidars[i].directory) + '\n' + scans_words(lidars[i])});
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(0, left_out_.contains(i) ? Qt::Unchecked : Qt::Checked);
-    item->setData(0, kLidarRole, qt_count(i));
-  }
-  if (lidars.empty()) new QTreeWidgetItem(heading, {tr("none were found: add the folder that holds them")});
-}
-
-void ImportDialog::add_not_used() {
-  constexpr std::size_t kMostShown = 20;
-  const std::vector<guesses::NotUsed>& all = data_->description.not_used;
-  QTreeWidgetItem* heading = nullptr;
-  for (std::size_t i = 0; i < std::min(all.size(), kMostShown); ++i) {
-    if (std::ranges::find(data_->tables, all[i].path) != data_->tables.end()) continue;  // stands above
-    if (!heading) heading = add_heading(tr("Not used"));
-    auto* item = new QTreeWidgetItem(heading, {shown_path(all[i].path) + '\n' + model_text(all[i].why)});
-    item->setForeground(0, palette().brush(QPalette::Disabled, QPalette::Text));
-  }
-}
-
-/// The file in use is written boldly.
-void ImportDialog::mark_table() {
-  if (!data_ || files_->topLevelItemCount() == 0) return;
-  filling_ = true;
-  const std::string used = table_                   ? table_->file.string()
-                           : data_->description.ins ? data_->description.ins->file.string()
-                                                    : std::string();
-  QTreeWidgetItem* heading = files_->topLevelItem(0);
-  for (int i = 0; i < heading->childCount(); ++i) {
-    QTreeWidgetItem* item = heading->child(i);
-    const bool is_used = !used.empty() && item->data(0, kFileRole).toString().toStdString() == used;
-    const QString name = shown_path(fs::path(item->data(0, kFileRole).toString().toStdString()));
-    if (!item->data(0, kFileRole).toString().isEmpty())
-      item->setText(0, is_used ? QStringLiteral("● ") + name : QStringLiteral("○ ") + name);
-    QFont font = files_->font();
-    font.setBold(is_used);
-    item->setFont(0, font);
-    if (is_used) files_->setCurrentItem(item);
-  }
-  filling_ = false;
-}
-
-void ImportDialog::take_check(QTreeWidgetItem* item) {
-  if (filling_ || !item->data(0, kLidarRole).isValid()) return;
-  const auto lidar = static_cast<std::size_t>(item->data(0, kLidarRole).toInt());
-  if (item->checkState(0) == Qt::Checked)
+void ImportDialog::check_lidar(std::size_t lidar, bool used) {
+  if (used)
     left_out_.erase(lidar);
   else
     left_out_.insert(lidar);
@@ -312,10 +232,13 @@ void ImportDialog::take_check(QTreeWidgetItem* item) {
   emit edited();
 }
 
-void ImportDialog::ask_for_table(QTreeWidgetItem* item) {
-  const QString file = item->data(0, kFileRole).toString();
-  const bool is_table = data_ && std::ranges::find(data_->tables, fs::path(file.toStdString())) != data_->tables.end();
-  if (is_table && (!table_ || table_->file != fs::path(file.toStdString()))) emit table_requested(file);
+/// A log has no columns: it is taken as it is.
+void ImportDialog::choose_motion(const QString& file) {
+  if (std::ranges::find(data_->tables, fs::path(file.toStdString())) != data_->tables.end())
+    return emit table_requested(file);
+  show_no_table();
+  show_state();
+  emit edited();
 }
 
 void ImportDialog::show_checking() {
@@ -350,7 +273,7 @@ void ImportDialog::show_checks(const guesses::ImportChecks& checks, const std::v
 void ImportDialog::leave_out(const std::set<std::size_t>& lidars) {
   if (lidars == left_out_) return;
   left_out_ = lidars;
-  fill_files();
+  show_files();
   show_state();
 }
 

@@ -10,8 +10,6 @@
 
 class QLabel;
 class QPushButton;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace remount::widgets {
 
@@ -19,6 +17,7 @@ class CheckList;
 class ColumnTable;
 class ConventionForm;
 class DriveMap;
+class FoundFilesTree;
 
 /// Shows values and says what was asked for; whoever owns it looks at files, checks and saves.
 class ImportDialog : public QDialog {
@@ -60,27 +59,23 @@ class ImportDialog : public QDialog {
  private:
   QWidget* make_files();
   QWidget* make_buttons();
-  void fill_files();
-  QTreeWidgetItem* add_heading(const QString& title);
-  void add_tables();
-  void add_scans();
-  void add_not_used();
-  void mark_table();
-  void take_check(QTreeWidgetItem* item);
-  void ask_for_table(QTreeWidgetItem* item);
-  QString shown_path(const std::filesystem::path& path) const;
+  void show_about();
+  void show_files();
+  void check_lidar(std::size_t lidar, bool used);
+  void choose_motion(const QString& file);
+  void show_no_table();
   void show_state();
 
   std::shared_ptr<const guesses::ImportData> data_;
   std::optional<guesses::ImportTable> table_;
   guesses::TableChoices choices_;
   std::set<std::size_t> left_out_;
-  bool filling_ = false, whole_ = false, read_ = false;  ///< whole: it can be opened; read: there is something to save
+  bool whole_ = false, read_ = false;  ///< whole: it can be opened; read: there is something to save
   bool saving_ = false, held_ = false;
   QPointer<QWidget> focus_before_saving_;
 
-  QLabel *head_, *no_columns_, *status_;
-  QTreeWidget* files_ = nullptr;
+  QLabel *head_, *about_table_, *status_;
+  FoundFilesTree* files_ = nullptr;
   ColumnTable* columns_;
   ConventionForm* conventions_;
   CheckList* checks_;
