@@ -22,7 +22,10 @@ QSize WrappingDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
   initStyleOption(&item, index);
   // Measured narrower than it is drawn, by the margins of the style: a line more than needed does no harm.
   const int margin = view_.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &view_) + 1;
-  const int width = std::max(40, view_.viewport()->width() - depth * view_.indentation() - 2 * margin);
+  const int box = item.features.testFlag(QStyleOptionViewItem::HasCheckIndicator)
+                      ? view_.style()->pixelMetric(QStyle::PM_IndicatorWidth, &item, &view_) + 2 * margin
+                      : 0;
+  const int width = std::max(40, view_.viewport()->width() - depth * view_.indentation() - 2 * margin - box);
   const QRect text = item.fontMetrics.boundingRect(QRect(0, 0, width, 100000), Qt::TextWordWrap, item.text);
   return {width, text.height() + 4};
 }
