@@ -58,13 +58,15 @@ std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& ins) {
   return offsets;
 }
 
-Message in_words(const KnownOffset& offset, std::size_t inside, std::size_t scans) {
-  return say::guess_clock_together(inside, scans, Duration{1e-9 * static_cast<double>(offset.added_ns)}, offset.cause);
+void advise(const KnownOffset& offset, std::size_t inside, std::size_t scans, Guess& guess) {
+  guess.added_ns = offset.added_ns;
+  guess.alternatives.push_back(
+      say::guess_clock_together(inside, scans, Duration{1e-9 * static_cast<double>(offset.added_ns)}, offset.cause));
 }
 
 /// The difference of two time scales by which both ends are apart.
-Message nearest_of_scales(const conventions::TimeSpan& scans, const conventions::TimeSpan& ins,
-                          const std::vector<std::int64_t>& stamps_ns) {
+void tell_nearest_of_scales(const conventions::TimeSpan& scans, const conventions::TimeSpan& ins,
+                            const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
   const double apart_ns =
       0.5 * (static_cast<double>(scans.first_ns - ins.first_ns) + static_cast<double>(scans.last_ns - ins.last_ns));
   std::vector<KnownOffset> offsets = known_offsets(ins);
@@ -72,7 +74,7 @@ Message nearest_of_scales(const conventions::TimeSpan& scans, const conventions:
   const KnownOffset& nearest = *std::ranges::min_element(offsets, {}, [&](const KnownOffset& offset) {
     return std::abs(static_cast<double>(offset.added_ns) - apart_ns);
   });
-  return in_words(nearest, count_within(ins, stamps_ns, nearest.added_ns), stamps_ns.size());
+  advise(nearest, count_within(ins, stamps_ns, nearest.added_ns), stamps_ns.size(), guess);
 }
 
 /// Of the usual differences those that bring the most together.
@@ -88,7 +90,7 @@ void tell_known_offset(const InsGuess& ins, const std::vector<std::int64_t>& sta
   }
   if (fit.empty()) return;
   if (fit.size() == 1) {
-    guess.alternatives.push_back(in_words(fit.front(), inside, stamps_ns.size()));
+    advise(fit.front(), inside, stamps_ns.size(), guess);
     return;
   }
   const auto added = [](const KnownOffset& offset) { return Duration{1e-9 * static_cast<double>(offset.added_ns)}; };
@@ -122,7 +124,7 @@ std::optional<Guess> guess_clock(const InsGuess& ins, const std::vector<ScansGue
   } else if (Message shifted = conventions::shifted_by_leap_seconds(scans, ins.span); !shifted.empty()) {
     guess.sureness = Sureness::Likely;
     guess.evidence.push_back(std::move(shifted));
-    guess.alternatives.push_back(nearest_of_scales(scans, ins.span, stamps_ns));
+    tell_nearest_of_scales(scans, ins.span, stamps_ns, guess);
   } else if (covers_leap_seconds(ins, stamps_ns, inside)) {
     guess.sureness = Sureness::Named;
     guess.evidence.push_back(say::guess_clock_not_to_seconds());

@@ -1,6 +1,8 @@
 // What data without a manifest are taken for: each a value with its reasons, for whoever shows or writes them.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,8 @@ struct Guess {
   std::vector<Message> alternatives{};  ///< what else it may be, and how that is written
   /// The same as a manifest would read them: of a time its columns alone, else position and attitude.
   std::vector<formats::InsTableLayout> other_layouts{};
+  std::optional<std::int64_t>
+      added_ns{};  ///< of clocks: to the times of the INS, where one difference brings them together
 };
 
 }  // namespace remount::guesses

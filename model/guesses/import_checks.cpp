@@ -61,7 +61,9 @@ class ImportChecker {
   }
 
  private:
-  ImportCheck& add(CheckKind kind, Verdict verdict) { return out_.checks.emplace_back(ImportCheck{kind, verdict, {}}); }
+  ImportCheck& add(CheckKind kind, Verdict verdict) {
+    return out_.checks.emplace_back(ImportCheck{.kind = kind, .verdict = verdict});
+  }
 
   void read() {
     drive::Session session;
@@ -235,6 +237,7 @@ class ImportChecker {
       check.evidence.push_back(say::import_common(Duration{common_s}, Duration{seconds(*last - *first)}));
     check.evidence.insert(check.evidence.end(), guess->evidence.begin(), guess->evidence.end());
     check.evidence.insert(check.evidence.end(), guess->alternatives.begin(), guess->alternatives.end());
+    check.added_ns = guess->added_ns;
     if (guess->sureness == Sureness::Open) check.verdict = common_s > 0.0 ? Verdict::Doubtful : Verdict::Bad;
     if (guess->sureness == Sureness::Likely) check.verdict = Verdict::Doubtful;
   }

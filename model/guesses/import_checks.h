@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algorithms/core/progress.h"
@@ -24,7 +26,8 @@ enum class Verdict {
 struct ImportCheck {
   CheckKind kind = CheckKind::Rows;
   Verdict verdict = Verdict::Good;
-  std::vector<Message> evidence{};  ///< what was found, with numbers; the first is the most important
+  std::vector<Message> evidence{};         ///< what was found, with numbers; the first is the most important
+  std::optional<std::int64_t> added_ns{};  ///< of the clocks: what is advised to be added to the times of the table
 };
 
 /// What a layout makes of a table.

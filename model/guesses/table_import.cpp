@@ -286,6 +286,9 @@ std::optional<Description> description_to_save(const Description& description, c
   Description made = description_of(description, choice, checks);
   if (choice.table && (!made.ins || checks.samples == 0))
     throw Error(ErrorCode::Format, choice.table->file.string(), say::import_nothing_to_save());
+  if (!made.ins)
+    throw Error(ErrorCode::Format, made.lidars.empty() ? "" : made.lidars.front().directory.string(),
+                say::guess_needs_ins());
   return made;
 }
 

@@ -61,8 +61,8 @@ ImportChecks check_choice(const Description& description, const ImportChoice& ch
 /// the checks say is its reason.
 Description description_of(const Description& description, const ImportChoice& choice, const ImportChecks& checks);
 
-/// The same of the table as it is now; nothing where that is cancelled. Throws Error where a table was chosen of which
-/// no row is read: its manifest would have no INS.
+/// The same of the table as it is now; nothing where that is cancelled. Throws Error where the manifest would have no
+/// INS: none was found, or no row of the table is read.
 std::optional<Description> description_to_save(const Description& description, const ImportChoice& choice,
                                                const Progress& progress);
 

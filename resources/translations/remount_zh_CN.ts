@@ -1914,6 +1914,14 @@ The result appears when all of it is done. Esc stops.</source>
         <source>Checks against the data</source>
         <translation>与数据的核对</translation>
     </message>
+    <message>
+        <source>Add %1 s</source>
+        <translation>加上 %1 s</translation>
+    </message>
+    <message>
+        <source>Adds it to the times of the table, as under Time above</source>
+        <translation>加到表中的时间上，同上方“时间”一栏</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::ClearancePlot</name>
@@ -2259,7 +2267,11 @@ The result appears when all of it is done. Esc stops.</source>
     </message>
     <message>
         <source>A&amp;dd to its times</source>
-        <translation>其时间加上(&amp;D)</translation>
+        <translation>时间加上(&amp;D)</translation>
+    </message>
+    <message>
+        <source>a column is missing: please choose</source>
+        <translation>缺少列：请选择</translation>
     </message>
 </context>
 <context>
@@ -2929,6 +2941,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>No motion of the INS was found. Add it; or choose the poses on the left, if they are those of the INS.</source>
         <translation>未找到 INS 的运动。请添加；若左侧的位姿属于 INS，请选择它们。</translation>
+    </message>
+    <message>
+        <source>The drive appears here as soon as it is read.</source>
+        <translation>读取后在此显示行驶路线。</translation>
     </message>
 </context>
 <context>

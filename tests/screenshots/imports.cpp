@@ -9,6 +9,8 @@
 #include "app/gui/features/import_feature.h"
 #include "app/gui/window_host.h"
 #include "widgets/import/check_list.h"
+#include "widgets/import/found_files_tree.h"
+#include "widgets/import/import_dialog.h"
 
 namespace remount::testing {
 namespace {
@@ -39,15 +41,39 @@ class ImportTour {
     auto* dialog = window.findChild<widgets::ImportDialog*>();
     if (!dialog) return false;
     dialog->resize(request_.size - QSize(40, 60));
-    const auto checked = [&] { return dialog->checks().isEnabled() && !dialog->checks().text().isEmpty(); };
-    if (!QTest::qWaitFor(checked, kLong_ms)) std::fprintf(stderr, "%s is not checked\n", qPrintable(name));
+    auto& files = *dialog->findChild<widgets::FoundFilesTree*>();
+    if (!QTest::qWaitFor([&] { return files.topLevelItemCount() > 0; }, kLong_ms)) return false;
     save(*dialog, name + "-import");
+    if (!dialog->choice().table) emit files.itemClicked(files.topLevelItem(0)->child(0), 0);
+    const auto checked = [&] {
+      return dialog->choice().table && dialog->checks().isEnabled() && !dialog->checks().text().isEmpty();
+    };
+    if (!QTest::qWaitFor(checked, kLong_ms)) return false;
+    take_wrong(*dialog, name);
+    if (!QTest::qWaitFor(checked, kLong_ms)) return false;
+    save(*dialog, name + "-checked");
     const QString manifest = QDir(request_.folder).filePath(name + "-session.yaml");
     window.feature<gui::ImportFeature>()->controller()->save(manifest);
     if (!QTest::qWaitFor([&] { return QFileInfo::exists(manifest); }, kLong_ms)) return false;
+    save(*dialog, name + "-saved");
     dialog->close();
     QTest::qWait(kLateDrawing_ms);  // until it is gone
     return true;
+  }
+  /// Angles the other way round, then a column too few; and back.
+  void take_wrong(widgets::ImportDialog& dialog, const QString& name) {
+    const guesses::TableChoices as_it_was = dialog.choice().choices;
+    guesses::TableChoices wrong = as_it_was;
+    wrong.negated = {true, true, false};
+    wrong.attitude = guesses::AttitudeStyle::Heading;
+    dialog.choose(wrong);
+    QTest::qWait(kLateDrawing_ms);
+    save(dialog, name + "-wrong");
+    wrong.roles.front() = guesses::ColumnRole::Ignored;
+    dialog.choose(wrong);
+    QTest::qWait(kLateDrawing_ms);
+    save(dialog, name + "-lacks");
+    dialog.choose(as_it_was);
   }
   void save(QWidget& widget, const QString& name) {
     QTest::qWait(kLateDrawing_ms);

@@ -1,25 +1,10 @@
 // A table that no reader knows, made a session in the window.
-#include <QComboBox>
-#include <QDir>
 #include <QDoubleSpinBox>
-#include <QFile>
-#include <QMessageBox>
-#include <QPushButton>
-#include <QTemporaryDir>
-#include <QTimer>
 #include <QWheelEvent>
-#include <cmath>
-#include <fstream>
 
-#include "app/gui/features/import_feature.h"
-#include "messages/sessions.h"
-#include "tests/widgets/support/window_fixture.h"
+#include "tests/widgets/support/import_page.h"
 #include "widgets/basics/theme.h"
-#include "widgets/import/check_list.h"
-#include "widgets/import/column_table.h"
-#include "widgets/import/convention_form.h"
 #include "widgets/import/found_files_tree.h"
-#include "widgets/import/import_dialog.h"
 #include "widgets/shell/message_banner.h"
 
 namespace remount::widgets {
@@ -27,92 +12,7 @@ namespace {
 
 using guesses::ColumnRole;
 using testing::kPatience_ms;
-using testing::WindowFixture;
-
-constexpr std::int64_t kFirst_ns = 1'700'000'000'000'000'000;
-
-/// A table of a vehicle that drives an S on a level road, with x to the east, and a few scans beside it.
-void write_import_data(const QString& folder) {
-  const std::filesystem::path root = folder.toStdString();
-  std::ofstream table(root / "motion.csv");
-  table.precision(12);
-  table << "t,x,y,z,roll,pitch,yaw\n";
-  double x_m = 0.0, y_m = 0.0;
-  for (int i = 0; i <= 500; ++i) {
-    const double time_s = 0.04 * i, yaw_rad = 1.4 * std::sin(0.5 * time_s);
-    table << 1'700'000'000.0 + time_s << ',' << x_m << ',' << y_m << ',' << 0.4 * std::sin(0.3 * time_s) << ",0.1,0.2,"
-          << yaw_rad * 180.0 / M_PI << '\n';
-    x_m += 0.32 * std::cos(yaw_rad), y_m += 0.32 * std::sin(yaw_rad);
-  }
-  std::filesystem::create_directories(root / "scans");
-  for (int scan = 0; scan < 4; ++scan) {
-    std::ofstream cloud(root / "scans" / (std::to_string(kFirst_ns + scan * 1'000'000'000LL) + ".pcd"));
-    cloud << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 40\nHEIGHT 1\nPOINTS 40\nDATA "
-             "ascii\n";
-    for (int point = 0; point < 40; ++point) cloud << point << ' ' << 0.5 * point << " 1\n";
-  }
-}
-
-/// Folders of tables are no session, and manifests are one.
-gui::Engine engine_of_manifests(std::shared_ptr<const std::atomic<int>> hold_at) {
-  gui::Engine engine = testing::sample_engine(10, std::move(hold_at));
-  engine.open = [](const std::filesystem::path& path, const drive::TopicChoice&, Progress&) {
-    if (path.extension() != ".yaml") throw Error(ErrorCode::Unsupported, path.string(), say::session_unknown({}));
-    drive::Session session = testing::sample_session("imported");
-    session.path = path;
-    return session;
-  };
-  return engine;
-}
-
-class import_page : public WindowFixture {
- protected:
-  import_page() : WindowFixture(&engine_of_manifests) {}
-  void SetUp() override {
-    show();
-    write_import_data(folder_.path());
-  }
-  void open_page() {
-    feature().import(folder_.path());
-    ASSERT_TRUE(page());
-    ASSERT_TRUE(checked());
-  }
-  gui::ImportFeature& feature() { return *window_.feature<gui::ImportFeature>(); }
-  ImportDialog* page() { return window_.findChild<ImportDialog*>(); }
-  bool checked() {
-    return QTest::qWaitFor(
-        [&] { return page()->choice().table && page()->checks().isEnabled() && !page()->checks().text().isEmpty(); },
-        kPatience_ms);
-  }
-  void choose(std::size_t column, ColumnRole role) {
-    QComboBox* list = page()->columns().roles_of(column);
-    list->setCurrentIndex(list->findData(static_cast<int>(role)));
-    emit list->activated(list->currentIndex());
-  }
-  static QPushButton& button(QWidget& parent, const QString& text) {
-    for (QPushButton* one : parent.findChildren<QPushButton*>())
-      if (one->text().remove('&') == text) return *one;
-    throw std::logic_error("no button " + text.toStdString());
-  }
-  QString manifest() const { return folder_.filePath("session.yaml"); }
-  std::string text_of(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
-  }
-  /// Answers the next question.
-  void answer(QMessageBox::StandardButton with) {
-    QTimer::singleShot(100, this_, [this, with] {
-      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-        ++asked_;
-        box->button(with)->click();
-      }
-    });
-  }
-  QTemporaryDir folder_;
-  QObject owner_;
-  QObject* this_ = &owner_;
-  int asked_ = 0;
-};
+using import_page = testing::ImportPage;
 
 TEST_F(import_page, is_offered_where_nothing_is_known) {
   window_.open_paths({folder_.path()});
@@ -154,11 +54,25 @@ TEST_F(import_page, a_changed_role_changes_the_checks_at_once) {
   choose(0, ColumnRole::Ignored);
   ASSERT_TRUE(checked());
   EXPECT_TRUE(page()->checks().text().contains("Choose a column for: time")) << page()->checks().text().toStdString();
+  EXPECT_TRUE(texts_of(page()->conventions()).contains("a column is missing"))
+      << texts_of(page()->conventions()).toStdString();
   EXPECT_FALSE(button(*page(), "Save and open").isEnabled());
   button(*page(), "As guessed").click();
   ASSERT_TRUE(checked());
   EXPECT_TRUE(page()->checks().text().contains("501 of 501 rows"));
   EXPECT_TRUE(button(*page(), "Save and open").isEnabled());
+}
+
+TEST_F(import_page, an_advised_difference_of_the_clocks_is_one_click) {
+  testing::write_import_data(folder_.path(), 3600);
+  open_page();
+  EXPECT_TRUE(page()->checks().text().contains("-3600 s were added to the times of the INS"))
+      << page()->checks().text().toStdString();
+  button(page()->checks(), "Add -3600 s").click();
+  EXPECT_EQ(page()->choice().choices.offset_ns, -3'600'000'000'000);
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->checks().text().contains("4 of 4 scans lie within")) << page()->checks().text().toStdString();
+  EXPECT_TRUE(page()->checks().findChildren<QPushButton*>().isEmpty());
 }
 
 TEST_F(import_page, scrolling_over_a_list_chooses_nothing) {
@@ -225,102 +139,6 @@ TEST_F(import_page, dates_are_read_in_either_order_of_day_and_month) {
   EXPECT_EQ(page()->choice().choices.date_order, formats::DateOrder::MonthFirst);
 }
 
-TEST_F(import_page, saves_and_opens_and_replaces_nothing_without_asking) {
-  open_page();
-  button(*page(), "Save and open").click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.sessions().empty(); }, kPatience_ms));
-  EXPECT_EQ(workbench_.sessions().all().front()->path, manifest().toStdString());
-  const std::string first = text_of(manifest());
-  EXPECT_NE(first.find("position: {east: x, north: y, up: z}"), std::string::npos) << first;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !page(); }, kPatience_ms));
-
-  open_page();
-  choose(1, ColumnRole::North);
-  ASSERT_TRUE(checked());
-  feature().controller()->save(manifest());
-  EXPECT_TRUE(texts_of(*page()).contains("is open. Close that session first")) << texts_of(*page()).toStdString();
-  QTest::qWait(100);
-  EXPECT_EQ(text_of(manifest()), first) << "the window would go on with the data of before";
-  workbench_.history().stack().undo();
-  ASSERT_TRUE(workbench_.sessions().empty());
-
-  answer(QMessageBox::No);
-  feature().controller()->save(manifest());
-  EXPECT_EQ(asked_, 1);
-  QTest::qWait(100);
-  EXPECT_EQ(text_of(manifest()), first) << "nobody wanted it";
-  answer(QMessageBox::Yes);
-  feature().controller()->save(manifest());
-  EXPECT_EQ(asked_, 2);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return text_of(manifest()) != first; }, kPatience_ms));
-  EXPECT_NE(text_of(manifest()).find("east: y, north: x"), std::string::npos) << text_of(manifest());
-  EXPECT_TRUE(page()) << "it stays open";
-}
-
-TEST_F(import_page, stays_until_it_has_saved_and_is_answered) {
-  open_page();
-  guesses::TableChoices changed = page()->choice().choices;
-  changed.offset_ns = 5;
-  button(*page(), "Save and open").click();
-  EXPECT_FALSE(page()->isEnabled());
-  page()->close();
-  EXPECT_TRUE(page()->isVisible());
-  EXPECT_FALSE(window_.close());
-  EXPECT_TRUE(window_.isVisible());
-  page()->choose(changed);  // a save goes on all the same
-  ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(manifest()) && !window_.isVisible(); }, kPatience_ms))
-      << "it closes once that is saved";
-}
-
-TEST_F(import_page, stays_under_its_questions) {
-  open_page();
-  const QString path = folder_.filePath("other");
-  feature().controller()->save(path);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled() && QFile::exists(path + ".yaml"); }, kPatience_ms));
-  EXPECT_TRUE(texts_of(*page()).contains("Saved as")) << texts_of(*page()).toStdString();
-  const QPointer<ImportDialog> before = page();
-  bool stays = false;
-  QTimer::singleShot(100, this_, [&] {
-    page()->close();
-    feature().import(folder_.path());
-    stays = before && before->isVisible() && page() == before;
-    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
-      box->button(QMessageBox::No)->click();
-  });
-  feature().controller()->save(path);
-  EXPECT_TRUE(stays);
-  page()->close();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !page(); }, kPatience_ms));
-}
-
-TEST_F(import_page, replaces_no_good_manifest_by_one_without_the_ins_and_no_other_file) {
-  open_page();
-  const QString path = folder_.filePath("other.yaml");
-  feature().controller()->save(path);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled(); }, kPatience_ms));
-  const std::string good = text_of(path);
-  EXPECT_NE(good.find("ins_poses:"), std::string::npos);
-  choose(0, ColumnRole::Ignored);
-  EXPECT_FALSE(button(*page(), "Save manifest…").isEnabled()) << "not before it is checked";
-  ASSERT_TRUE(checked());
-  EXPECT_FALSE(button(*page(), "Save manifest…").isEnabled());
-  answer(QMessageBox::Yes);
-  feature().controller()->save(path);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled(); }, kPatience_ms));
-  EXPECT_EQ(text_of(path), good);
-  EXPECT_TRUE(texts_of(*page()).contains("nothing was saved")) << texts_of(*page()).toStdString();
-
-  button(*page(), "As guessed").click();
-  ASSERT_TRUE(checked());
-  const QString table = folder_.filePath("of_others.yml");
-  std::ofstream(table.toStdString()) << "version: 2\n";
-  answer(QMessageBox::Yes);
-  feature().controller()->save(table);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled(); }, kPatience_ms));
-  EXPECT_EQ(text_of(table), "version: 2\n");
-  EXPECT_EQ(asked_, 2);
-}
-
 TEST_F(import_page, goes_on_where_a_table_cannot_be_read) {
   open_page();
   emit page()->table_requested(folder_.filePath("nowhere.csv"));
@@ -333,26 +151,6 @@ TEST_F(import_page, goes_on_where_a_table_cannot_be_read) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return page()->isEnabled(); }, kPatience_ms));
   ASSERT_TRUE(checked());
   EXPECT_TRUE(page()->checks().text().contains("does not follow the drive")) << page()->checks().text().toStdString();
-}
-
-TEST_F(import_page, keeps_what_was_chosen_where_more_is_added) {
-  open_page();
-  choose(1, ColumnRole::North);
-  ASSERT_TRUE(checked());
-  const guesses::TableChoices chosen = page()->choice().choices;
-  const QString scans = folder_.filePath("scans");
-  feature().controller()->look_at({folder_.path(), scans}, {scans});
-  ASSERT_TRUE(checked());
-  EXPECT_TRUE(page()->choice().choices == chosen);
-  feature().controller()->look_at({folder_.path(), folder_.filePath("nowhere/at-all")}, {});
-  EXPECT_FALSE(page()->choice().table);
-  ASSERT_TRUE(checked());
-  EXPECT_TRUE(page()->choice().choices == chosen);
-  EXPECT_TRUE(texts_of(*page()).contains("nowhere")) << texts_of(*page()).toStdString();
-  QFile::copy(folder_.filePath("motion.csv"), folder_.filePath("second.csv"));
-  feature().controller()->look_at({folder_.path()}, {scans, folder_.filePath("second.csv")});
-  ASSERT_TRUE(checked());
-  EXPECT_EQ(page()->choice().table->file.filename(), "second.csv");
 }
 
 TEST_F(import_page, says_that_poses_are_those_of_a_lidar) {

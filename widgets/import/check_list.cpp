@@ -2,8 +2,10 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <algorithm>
 
+#include "widgets/basics/press_on_purpose.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
 
@@ -50,6 +52,15 @@ void CheckList::empty() {
   for (int row = 0; row < grid_->rowCount(); ++row) grid_->setRowStretch(row, 0);
 }
 
+QWidget* CheckList::make_advice(qint64 added_ns) {
+  auto* button =
+      new QPushButton(tr("Add %1 s").arg(QString::number(1e-9 * static_cast<double>(added_ns), 'g', 12)), this);
+  button->setToolTip(tr("Adds it to the times of the table, as under Time above"));
+  press_on_purpose(*button);
+  connect(button, &QPushButton::clicked, this, [this, added_ns] { emit offset_requested(added_ns); });
+  return button;
+}
+
 void CheckList::add_line(int row, const guesses::ImportCheck& check) {
   auto* sign = new QLabel(verdict_sign(check.verdict), this);
   set_style(*sign, text_in(verdict_color(check.verdict)));
@@ -63,6 +74,7 @@ void CheckList::add_line(int row, const guesses::ImportCheck& check) {
   if (check.verdict == Verdict::Bad) set_style(*what, text_in(bad_color));
   int column = 0;
   for (QLabel* label : {sign, title, what}) grid_->addWidget(label, row, column++, Qt::AlignTop);
+  if (check.added_ns) grid_->addWidget(make_advice(*check.added_ns), row, column, Qt::AlignBottom);
 }
 
 void CheckList::show_checks(const guesses::ImportChecks& checks) {
@@ -76,7 +88,7 @@ void CheckList::show_text(const QString& text) {
   empty();
   auto* label = new QLabel(text, this);
   label->setWordWrap(true);
-  grid_->addWidget(label, 0, 0, 1, 3, Qt::AlignTop);
+  grid_->addWidget(label, 0, 0, 1, 4, Qt::AlignTop);
   grid_->setRowStretch(1, 1);
 }
 

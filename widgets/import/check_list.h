@@ -17,7 +17,11 @@ class CheckList : public QWidget {
   void show_text(const QString& text);
   QString text() const;  ///< of all lines, for tests and for reading aloud
 
+ signals:
+  void offset_requested(qint64 added_ns);  ///< what a check advises to add to the times
+
  private:
+  QWidget* make_advice(qint64 added_ns);
   void empty();
   void add_line(int row, const guesses::ImportCheck& check);
   QGridLayout* grid_;

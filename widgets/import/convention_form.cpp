@@ -206,14 +206,29 @@ bool ConventionForm::as_guessed(Part part) const {
                             : same_attitude(choices_, table_.preset);
 }
 
+/// Whether it has its columns.
+bool ConventionForm::is_whole(Part part) const {
+  const auto all = [this](const auto& roles) {
+    return std::ranges::all_of(roles, [this](guesses::ColumnRole role) { return choices_.has(role); });
+  };
+  using guesses::ColumnRole;
+  if (part == Time) return choices_.has(ColumnRole::Time);
+  if (part == Attitude)
+    return guesses::is_quaternion(choices_.attitude) ? all(guesses::kQuaternionRoles) : all(guesses::kAngleRoles);
+  if (!choices_.metric()) return all(guesses::kGeodeticRoles) && choices_.has(ColumnRole::Height);
+  return all(std::array{ColumnRole::East, ColumnRole::North}) &&
+         (choices_.has(ColumnRole::Height) || choices_.has(ColumnRole::Down));
+}
+
 void ConventionForm::show_guess(Part part) {
   Group& group = groups_.at(part);
   const guesses::Guess* found = guess(part);
-  const bool guessed = found && as_guessed(part);
+  const bool guessed = found && as_guessed(part), whole = is_whole(part), seen = found || choices_ != table_.preset;
   const Sureness sureness = guessed ? found->sureness : Sureness::Chosen;
-  group.sureness->setText(!found && choices_ == table_.preset ? tr("not recognised: please choose")
-                                                              : model_text(guesses::words(sureness)));
-  set_style(*group.sureness, text_in(!found && choices_ == table_.preset ? bad_color : sureness_color(sureness)));
+  group.sureness->setText(!whole ? tr("a column is missing: please choose")
+                          : seen ? model_text(guesses::words(sureness))
+                                 : tr("not recognised: please choose"));
+  set_style(*group.sureness, text_in(whole && seen ? sureness_color(sureness) : bad_color));
   group.why->setText(guessed ? evidence_words(*found) : QString());
   group.why->setToolTip(group.why->text());
   const auto place = std::ranges::find(group.others, choices_);

@@ -47,6 +47,7 @@ class ConventionForm : public QWidget {
   void take_reading(Part part, int row);
   void show_guess(Part part);
   bool as_guessed(Part part) const;
+  bool is_whole(Part part) const;
   const guesses::Guess* guess(Part part) const;
   void read_form();
 

@@ -46,6 +46,7 @@ ImportDialog::ImportDialog(QWidget* parent)
       map_(new DriveMap(this)) {
   setWindowTitle(tr("Import a table"));
   setWindowFlag(Qt::WindowMaximizeButtonHint);
+  map_->set_hint(tr("The drive appears here as soon as it is read."));
   auto* below = new QHBoxLayout;
   below->addWidget(new ShrinkingArea(checks_, {200, 90}, this), 3);
   below->addWidget(map_, 2);
@@ -73,6 +74,11 @@ ImportDialog::ImportDialog(QWidget* parent)
     choose(choices);
   });
   connect(conventions_, &ConventionForm::edited, this, &ImportDialog::choose);
+  connect(checks_, &CheckList::offset_requested, this, [this](qint64 added_ns) {
+    guesses::TableChoices choices = choices_;
+    choices.offset_ns += added_ns;
+    choose(choices);
+  });
   auto* help = new QShortcut(QKeySequence::HelpContents, this);
   connect(help, &QShortcut::activated, this, &ImportDialog::help_requested);
   resize(within_screen(*this, {1320, 720}));
@@ -265,7 +271,7 @@ void ImportDialog::show_checks(const guesses::ImportChecks& checks, const std::v
     show_note({});
   }
   status_->setProperty("missing", !lines.isEmpty());
-  read_ = table_ ? checks.samples > 0 : data_ && (data_->description.ins || !data_->description.lidars.empty());
+  read_ = table_ ? checks.samples > 0 : data_ && data_->description.ins;
   whole_ = missing.empty() && read_;
   show_state();
 }

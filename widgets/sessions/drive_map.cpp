@@ -18,12 +18,17 @@ constexpr double kMapReach_px = 14.0, kMapMargin_px = 24.0, kFurthest_px = 4.0;
 constexpr double kStep = 1.25, kLargest = 2000.0, kSmallest = 1e-4;  // pixels per metre
 }  // namespace
 
-DriveMap::DriveMap(QWidget* parent) : QWidget(parent) {
+DriveMap::DriveMap(QWidget* parent) : QWidget(parent), hint_(tr("The drive appears here once it is open.")) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Map of the drive"));
   setAccessibleDescription(
       tr("Trajectory with keyframes and pairs. Plus and minus zoom, the arrow keys pan, Home shows all."));
+}
+
+void DriveMap::set_hint(const QString& hint) {
+  hint_ = hint;
+  update();
 }
 
 void DriveMap::show_drive(std::shared_ptr<const overview::DriveOverview> drive, motion::SessionIndex session) {

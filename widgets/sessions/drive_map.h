@@ -15,6 +15,7 @@ class DriveMap : public QWidget {
   Q_OBJECT
  public:
   explicit DriveMap(QWidget* parent = nullptr);
+  void set_hint(const QString& hint);  ///< where there is no drive
   /// @param session index of the drive in `output`
   void show_drive(std::shared_ptr<const overview::DriveOverview> drive, motion::SessionIndex session);
   void show_output(std::shared_ptr<const pipeline::PipelineOutput> output);
@@ -57,6 +58,7 @@ class DriveMap : public QWidget {
   void paint_link(class QPainter& painter, const Link& link) const;
   void paint_frame(class QPainter& painter) const;
 
+  QString hint_;
   std::shared_ptr<const overview::DriveOverview> drive_;
   std::shared_ptr<const pipeline::PipelineOutput> output_;
   motion::SessionIndex session_;

@@ -15,7 +15,7 @@ void DriveMap::paintEvent(QPaintEvent*) {
   if (!drive_ || drive_->track_m.empty()) {
     painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                     drive_ ? tr("This drive has no INS positions.") : tr("The drive appears here once it is open."));
+                     drive_ ? tr("This drive has no INS positions.") : hint_);
     return;
   }
   painter.setRenderHint(QPainter::Antialiasing, true);

@@ -87,7 +87,9 @@ TEST_F(import_checks, what_the_check_of_the_clocks_advises_makes_it_pass) {
     std::cout << english(*advice) << "\n";
     const double added_s = std::get<remount::Quantity>(advice->argument("added")->value).value;
     EXPECT_EQ(added_s, -off_s);
-    choice.choices.offset_ns = std::llround(added_s * 1e9);
+    ASSERT_TRUE(before.find(CheckKind::Clock)->added_ns);
+    EXPECT_EQ(*before.find(CheckKind::Clock)->added_ns, std::llround(added_s * 1e9));
+    choice.choices.offset_ns = *before.find(CheckKind::Clock)->added_ns;
     const ImportChecks after = checked(data, choice);
     EXPECT_EQ(verdict(after, CheckKind::Clock), Verdict::Good) << said(after);
   }

@@ -80,7 +80,7 @@ bool write_manifest(const guesses::ImportData& data, const guesses::ImportChoice
 ImportController::ImportController(Workbench& workbench, widgets::ImportDialog& dialog)
     : QObject(&dialog), workbench_(workbench), dialog_(dialog) {
   using widgets::ImportDialog;
-  constexpr int kUntilCheck_ms = 120;  // of several changes that follow each other, the last is checked
+  constexpr int kUntilCheck_ms = 50;  // of several changes that follow each other, the last is checked
   until_check_.setSingleShot(true);
   until_check_.setInterval(kUntilCheck_ms);
   connect(&until_check_, &QTimer::timeout, this, &ImportController::check);
