@@ -85,23 +85,6 @@ std::optional<InsGuess> read_log(const fs::path& file, std::vector<NotUsed>& not
   return ins;
 }
 
-/// Poses of whatever moves, which keep to no direction of travel or have too few turns to tell.
-std::optional<InsGuess> read_poses(const fs::path& file) {
-  const auto format = formats::recognise_pose_file(file);
-  if (!format) return std::nullopt;
-  try {
-    std::vector<drive::Finding> findings;
-    const auto poses = formats::read_pose_file(file, *format, findings);
-    InsGuess ins{.file = file, .pose_format = std::string(formats::to_string(*format))};
-    ins.samples = poses.size();
-    ins.span = {poses.front().stamp_ns, poses.back().stamp_ns};
-    ins.guesses.push_back({GuessKind::Rows, {}, "", Sureness::Open, {say::guess_as_poses(poses.size())}, {}});
-    return ins;
-  } catch (const Error&) {
-    return std::nullopt;  // what the table lacks has been said
-  }
-}
-
 /// Of several the one during which most scans were taken, of those the surest, then the one with most samples.
 double rank_of(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) {
   const auto inside = std::ranges::count_if(
@@ -164,7 +147,7 @@ void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>&
     if (of_scans || found.table.columns.size() < kFewestColumnsOfMotion) continue;
     std::vector<Message> lacks;
     auto motion = guess_ins_of(found, stamps_ns, progress, lacks);
-    if (!motion && !description.lidars.empty()) motion = read_poses(found.file);
+    if (!motion && !description.lidars.empty()) motion = poses_as_ins(found.file);
     if (motion) lacks.clear();
     offer(std::move(motion));
     for (Message& lack : lacks) description.not_used.push_back({found.file, say::guess_lacks(std::move(lack))});
@@ -196,6 +179,22 @@ Message words(Sureness sureness) {
       return say::guess_is_chosen();
     default:
       return say::guess_is_open();
+  }
+}
+
+std::optional<InsGuess> poses_as_ins(const fs::path& file) {
+  const auto format = formats::recognise_pose_file(file);
+  if (!format) return std::nullopt;
+  try {
+    std::vector<drive::Finding> findings;
+    const auto poses = formats::read_pose_file(file, *format, findings);
+    InsGuess ins{.file = file, .pose_format = std::string(formats::to_string(*format))};
+    ins.samples = poses.size();
+    ins.span = {poses.front().stamp_ns, poses.back().stamp_ns};
+    ins.guesses.push_back({GuessKind::Rows, {}, "", Sureness::Open, {say::guess_as_poses(poses.size())}, {}});
+    return ins;
+  } catch (const Error&) {
+    return std::nullopt;  // what the table lacks has been said
   }
 }
 

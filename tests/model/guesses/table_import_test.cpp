@@ -219,6 +219,12 @@ TEST_F(table_import, poses_of_a_lidar_are_offered_only_to_whoever_asks_for_them)
   const ImportData meant = look_for_import({folder.path()}, progress, folder.path() / "odometry.tum");
   ASSERT_TRUE(meant.table);
   EXPECT_EQ(meant.table->file, folder.path() / "odometry.tum");
+  const ImportChoice choice = untouched(meant);
+  EXPECT_EQ(choice.choices.column(ColumnRole::Qw), 7U) << "as the format has it";
+  EXPECT_EQ(checked(meant, choice).samples, 300U) << said(checked(meant, choice));
+  const auto made = description_to_save(meant.description, choice, Progress());
+  ASSERT_TRUE(made && made->ins);
+  EXPECT_TRUE(formats::contains(manifest(*made, folder.path()), "format: tum")) << manifest(*made, folder.path());
 }
 
 }  // namespace
