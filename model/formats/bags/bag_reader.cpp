@@ -14,6 +14,7 @@
 #include "model/formats/bags/static_frames.h"
 #include "model/formats/clouds/timed_scans.h"
 #include "model/formats/packets/capture_scans.h"
+#include "model/formats/packets/receiver_fixes.h"
 #include "model/formats/poses/pose_pairing.h"
 
 namespace remount::bags {
@@ -81,6 +82,8 @@ void add_packet_scans(const std::shared_ptr<const BagFile>& bag, std::size_t top
                       drive::Session& session) {
   formats::PacketIndex index = streams.packets->made(bag);
   const auto scans = formats::take_scans(index, 0, session);
+  // A bag has no addresses: all that was taken with the packets of this LiDAR is of its receiver.
+  if (!index.receivers.empty()) streams.receiver = std::move(index.receivers.begin()->second);
   ScanStream& stream = streams.scans;
   stream.frame = streams.packets->frame();
   std::vector<double> lasting_s;
@@ -196,6 +199,8 @@ void complete(const std::shared_ptr<const BagFile>& bag, const ChosenTopics& cho
   session.attitudes_to_true_north = roles.ins && is_of_novatel(bag->topics()[*roles.ins].name);
   if (roles.lidar) session.lidar_name = bag->topics()[*roles.lidar].name;
   add_ins(*bag, chosen, streams, session);
+  if (!roles.gnss && !session.topic_choice.contains("gnss"))
+    formats::take_receiver(streams.receiver, bag->files().front().string() + ": " + session.lidar_name, session);
   add_nominal(*bag, roles, streams, frame, session);
   add_lidar(bag, roles, streams, session);
 }

@@ -53,6 +53,7 @@ struct ScanStream {
 struct BagStreams {
   ScanStream scans;
   std::unique_ptr<PacketStream> packets;  ///< of which scans are to be made, where the LiDAR has these
+  formats::SensorReceiver receiver;       ///< that such a LiDAR hangs on
   PoseStream lidar_poses;
   PoseStream ins_poses;
   InspvaxStream inspvax;         ///< or INSPVA, or the whole solution of another make

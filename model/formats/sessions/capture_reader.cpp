@@ -8,10 +8,10 @@
 #include "messages/stages.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/ins/nmea_log.h"
 #include "model/formats/packets/capture_index.h"
 #include "model/formats/packets/capture_records.h"
 #include "model/formats/packets/capture_scans.h"
+#include "model/formats/packets/receiver_fixes.h"
 #include "model/formats/sessions/ins_beside.h"
 #include "model/formats/sessions/several_sessions.h"
 
@@ -45,20 +45,6 @@ fs::path only_capture(const CaptureContents& contents, const fs::path& path) {
     throw SeveralSessions(path, say::capture_several(found[0].filename().string(), found[1].filename().string()),
                           found);
   throw Error(ErrorCode::Format, path.string(), say::capture_none());
-}
-
-/// Fixes of the receiver that the sensor hangs on. Most sensors hand on RMC alone, which has no height.
-void take_receiver(const std::string& sentences, const fs::path& capture, drive::Session& session) {
-  if (sentences.empty() || !session.gnss.empty()) return;
-  try {
-    std::vector<drive::Finding> findings;
-    session.gnss = parse_nmea_log(sentences, capture, findings).fixes;
-    session.findings.insert(session.findings.end(), findings.begin(), findings.end());
-  } catch (const Error& error) {
-    if (!session.ins.empty() || !session.world_from_ins.empty()) return;  // the fixes are not missed
-    session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-position", capture.string(),
-                                                   say::capture_position_packets(error.what_happened())));
-  }
 }
 
 drive::SessionTopic sensor_topic(const SensorPackets& sensor) {
@@ -113,7 +99,7 @@ drive::Session CaptureReader::open_topics(const fs::path& path, const drive::Top
   progress.report(say::stage_reading_ins, 1, 2);
   const bool moves = read_ins_beside(contents.others, path, session);
   if (const auto receiver = index.receivers.find(address); receiver != index.receivers.end())
-    take_receiver(receiver->second.sentences, capture, session);
+    take_receiver(receiver->second, capture, session);
   if (!moves && session.gnss.empty())
     session.findings.push_back(
         drive::make_finding(drive::Severity::Problem, "one-stream", path.string(), say::capture_half_a_session()));

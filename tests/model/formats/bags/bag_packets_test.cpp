@@ -40,7 +40,7 @@ fs::path written_capture(const std::string& format, const fs::path& folder) {
   return folder / "capture.pcap";
 }
 
-/// Codes and words of what is said of packets; places are other ones, and sentences in packets are no GNSS of a bag.
+/// Codes and words of what is said of packets; places are other ones, and not every driver publishes position packets.
 std::vector<std::string> said_of_packets(const Session& session) {
   std::vector<std::string> said;
   for (const drive::Finding& finding : session.findings)

@@ -4,9 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <iostream>
 
+#include "algorithms/core/stamps.h"
+#include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
 #include "model/formats/bags/bag_packets.h"
+#include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/packets/hesai_bytes.h"
 #include "tests/support/findings.h"
 
@@ -256,6 +261,66 @@ TEST_F(packet_topics, a_description_is_of_the_lidar_whose_name_it_has) {
     EXPECT_EQ(opened(path()).lidar_name, its.with);
     EXPECT_NE(error_of_opening({{"lidar", its.without}}), "") << its.without;
   }
+}
+
+/// What a sensor says of itself five times a second, with the sentences of the receiver that it hangs on.
+std::vector<RecordedPacket> descriptions_with(const std::vector<std::string>& sentences, bool locked) {
+  std::vector<RecordedPacket> packets;
+  for (int i = 0; i < 10; ++i) {
+    char time[16];
+    std::snprintf(time, sizeof time, "2200%02d.00,", i / 5);
+    formats::DifopPacket description;
+    description.angles = formats::even_angles(100);
+    description.sync = locked ? 1 : 0;
+    const std::string& sentence = sentences[static_cast<std::size_t>(i) % sentences.size()];
+    description.sentence = formats::nmea_line(sentence.substr(0, 6) + time + sentence.substr(6)) + "\r\n";
+    packets.push_back({kTenHours_ns + i * 200'000'000 + 1, 7788, description.bytes()});
+  }
+  return packets;
+}
+
+TEST_F(packet_topics, what_the_receiver_says_in_descriptions_is_gnss_as_of_a_capture) {
+  const std::string rmc = "GPRMC,A,4846.8,N,00910.8,E,0,0,141123,,,A",
+                    gga = "GPGGA,4846.8000,N,00910.8000,E,4,12,0.6,300.0,M,48.0,M,,";
+  const std::vector<RecordedPacket> points = helios_packets(3000, 3000, kTenHours_us);
+  const auto session_of = [&](const std::vector<std::string>& sentences, const drive::TopicChoice& topics,
+                              bool locked = true, bool other_gnss = false) {
+    fs::remove(path());
+    PacketBag made = bag();
+    made.add_packets("/rslidar_packets", "rslidar_msgs/rslidarPacket", points);
+    made.add_packets("/rslidar_packets_difop", "rslidar_msgs/rslidarPacket", descriptions_with(sentences, locked));
+    if (other_gnss) made.add_ins("/ins", 20);
+    made.finish();
+    return opened(path(), topics);
+  };
+  const drive::Session session = session_of({rmc, gga}, {});
+  ASSERT_EQ(session.gnss.size(), 2U) << "each once";
+  EXPECT_EQ(session.gnss.front().stamp_ns, kTenHours_ns);
+  EXPECT_NEAR(radians_to_degrees(session.gnss.front().latitude_rad), 48.0 + 46.8 / 60.0, 1e-12);
+  EXPECT_NEAR(session.gnss.front().height_m, 348.0, 1e-9);
+  EXPECT_TRUE(session_of({rmc, gga}, {{"gnss", "none"}}).gnss.empty());
+  EXPECT_EQ(session_of({rmc, gga}, {}, true, true).gnss.size(), 20U) << "a receiver's own topic goes first";
+  // Sensors hand on RMC alone, which has no height.
+  EXPECT_TRUE(has_code(session_of({rmc}, {}).findings, "capture-position"));
+  std::cout << session.gnss.size() << " fixes, the first at " << session.gnss.front().height_m << " m\n";
+}
+
+TEST_F(packet_topics, descriptions_say_whether_the_clock_follows_a_receiver) {
+  const auto session_of = [&](bool locked) {
+    fs::remove(path());
+    PacketBag made = bag();
+    // An hour from the computer's clock.
+    made.add_packets("/rslidar_packets", "rslidar_msgs/rslidarPacket",
+                     helios_packets(3000, 3000, kTenHours_us - 3'600'000'000));
+    made.add_packets("/rslidar_packets_difop", "rslidar_msgs/rslidarPacket",
+                     descriptions_with({"GPRMC,A,4846.8,N,00910.8,E,0,0,141123,,,A"}, locked));
+    made.finish();
+    return opened(path());
+  };
+  const drive::Session follows = session_of(true), free = session_of(false);
+  EXPECT_NEAR(seconds(follows.scans->stamp_ns(0) - kTenHours_ns), -3600.0, 1.0);
+  EXPECT_NEAR(seconds(free.scans->stamp_ns(0) - kTenHours_ns), 0.0, 1.0);
+  EXPECT_TRUE(formats::contains(said_of(free.findings, "capture-clock"), "follows no receiver"));
 }
 
 }  // namespace
