@@ -18,6 +18,8 @@ DataCheck reading_check() {
               {"attitude-sparse", say::attitude_sparse_meaning, say::attitude_sparse_remedy},
               {"bag-cut-end", say::bag_cut_end_meaning, say::bag_cut_end_remedy},
               {"bag-*", say::bag_any_meaning, say::bag_any_remedy},
+              {"record-*", say::record_any_meaning, say::record_any_remedy},
+              {"scans-compensated", say::scans_compensated_meaning, say::scans_compensated_remedy},
               {"ins-incomplete", say::ins_incomplete_meaning, say::ins_incomplete_remedy},
               {"ins-slow", say::ins_slow_meaning, say::ins_slow_remedy},
               {"no-point-times", say::no_point_times_meaning, say::no_point_times_remedy},

@@ -48,6 +48,7 @@ Message CaptureReader::description() const { return say::format_lidar_capture();
 
 namespace remount::bags {
 Message BagReader::description() const { return say::format_bag(); }
+Message RecordReader::description() const { return say::format_apollo_record(); }
 }  // namespace remount::bags
 
 namespace remount::formats {
@@ -66,6 +67,7 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     list.push_back(std::make_unique<InsLogReader>());
     list.push_back(std::make_unique<PoseSessionReader>());
     list.push_back(std::make_unique<bags::BagReader>());
+    list.push_back(std::make_unique<bags::RecordReader>());
     list.push_back(std::make_unique<CaptureReader>());
     return list;
   }();

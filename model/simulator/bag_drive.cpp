@@ -5,7 +5,11 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/geodesy/geodesy.h"
+#include "messages/simulation.h"
 #include "messages/stages.h"
+#include "model/drive/session_frames.h"
+#include "model/formats/bags/apollo_writer.h"
 #include "model/formats/bags/bag_writer.h"
 #include "model/formats/bags/packet_messages.h"
 #include "model/simulator/novatel_drive.h"
@@ -65,8 +69,8 @@ void add_ins_messages(const drive::Session& session, bags::BagWriter& bag, std::
   }
 }
 
-std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWriter& bag, bool novatel) {
-  std::vector<Waiting> messages;
+void add_ros_messages(const drive::Session& session, bags::BagWriter& bag, bool novatel,
+                      std::vector<Waiting>& messages) {
   novatel ? add_novatel_messages(session, bag, messages) : add_ins_messages(session, bag, messages);
   const bags::MessageEncoding encoding = bag.encoding();
   const auto topic = [&](const char* name, const char* type) {
@@ -82,6 +86,42 @@ std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWrit
     for (const motion::GnssFix& fix : session.gnss)
       messages.push_back({fix.stamp_ns, gnss, bags::fix_message(fix, 2, "antenna", encoding)});
   }
+}
+
+/// As its GNSS driver projects and turns what the INS gives.
+void add_apollo_messages(const drive::Session& session, bags::BagWriter& bag, std::vector<Waiting>& messages) {
+  if (session.ins.empty()) throw Error(ErrorCode::Contract, "apollo-record", say::simulation_no_ins_to_write());
+  const auto topic = [&](const char* name, const char* type) {
+    return bag.add_topic(name, bags::apollo_definition(type));
+  };
+  const std::uint32_t poses = topic("/apollo/sensor/gnss/odometry", "apollo.localization.Gps"),
+                      states = topic("/apollo/sensor/gnss/ins_stat", "apollo.drivers.gnss.InsStat");
+  // NovAtel's types of a position: with whole ambiguities, and without; of the receiver alone.
+  constexpr unsigned kFixed = 56, kFloating = 55, kReceiver = 50;
+  const geodesy::UtmGrid grid(session.ins.front().latitude_rad, session.ins.front().longitude_rad);
+  const Eigen::Quaterniond flu_from_rfu(drive::forward_left_up_from(drive::InsAxes::RightForwardUp).linear());
+  for (std::size_t i = 0; i < session.ins.size(); ++i) {
+    const motion::InsSample& sample = session.ins[i];
+    const geodesy::GridFix place = grid.project(sample.latitude_rad, sample.longitude_rad);
+    messages.push_back({sample.stamp_ns, poses,
+                        bags::apollo_gps_message({sample.stamp_ns,
+                                                  {place.easting_m, place.northing_m, sample.height_m},
+                                                  sample.enu_from_ins * flu_from_rfu})});
+    if (!begins_second(session, i)) continue;
+    const unsigned type = sample.quality == motion::InsQuality::Degraded ? kFloating : kFixed;
+    messages.push_back({sample.stamp_ns, states, bags::apollo_status_message(sample.stamp_ns, type)});
+  }
+  if (session.gnss.empty()) return;
+  const std::uint32_t fixes = topic("/apollo/sensor/gnss/best_pose", "apollo.drivers.gnss.GnssBestPose");
+  for (const motion::GnssFix& fix : session.gnss)
+    messages.push_back({fix.stamp_ns, fixes, bags::apollo_fix_message(fix, kReceiver)});
+}
+
+bool is_of_apollo(const bags::BagWriter& bag) { return bag.encoding() == bags::MessageEncoding::Protobuf; }
+
+std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWriter& bag, bool novatel) {
+  std::vector<Waiting> messages;
+  is_of_apollo(bag) ? add_apollo_messages(session, bag, messages) : add_ros_messages(session, bag, novatel, messages);
   std::stable_sort(messages.begin(), messages.end(),
                    [](const Waiting& a, const Waiting& b) { return a.stamp_ns < b.stamp_ns; });
   return messages;
@@ -90,6 +130,7 @@ std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWrit
 std::unique_ptr<bags::BagWriter> make_writer(const std::filesystem::path& folder, const std::string& format) {
   if (format.starts_with("mcap"))
     return bags::make_mcap_writer(folder / "drive.mcap", bags::MessageEncoding::Cdr, bags::ChunkCompression::Zstd);
+  if (format == "apollo-record") return bags::make_record_writer(folder / "drive.record.00000");
   if (format == "rosbag2") return bags::make_sqlite_writer(folder / "drive.db3");
   return bags::make_rosbag1_writer(folder / "drive.bag", bags::ChunkCompression::Lz4);
 }
@@ -151,8 +192,35 @@ std::vector<Waiting> packet_messages(const CapturedSensor& sensor, const Simulat
 struct ScanTopic {
   const drive::ScanSource* scans = nullptr;
   std::string topic, frame;
+  std::optional<RigidTransform> nominal_ins_from_lidar = {};
   std::uint32_t id = 0;  ///< of the topic in the bag
 };
+
+std::string scan_message(const ScanTopic& lidar, std::size_t scan, bags::MessageEncoding encoding) {
+  const cloud::PointCloud cloud = lidar.scans->load(scan);
+  const std::int64_t stamp_ns = lidar.scans->stamp_ns(scan);
+  return encoding == bags::MessageEncoding::Protobuf ? bags::apollo_cloud_message(cloud, stamp_ns, lidar.frame)
+                                                     : bags::cloud_message(cloud, stamp_ns, lidar.frame, encoding);
+}
+
+bags::MessageDefinition scan_definition(bags::MessageEncoding encoding) {
+  return encoding == bags::MessageEncoding::Protobuf ? bags::apollo_definition("apollo.drivers.PointCloud")
+                                                     : bags::message_definition("sensor_msgs/PointCloud2", encoding);
+}
+
+/// The nominal mountings as Apollo's vehicle has them: children of the frame of its INS.
+void add_apollo_transforms(const std::vector<ScanTopic>& lidars, std::int64_t begin_ns, bags::BagWriter& bag,
+                           std::vector<Waiting>& messages) {
+  const RigidTransform rfu_from_flu = drive::forward_left_up_from(drive::InsAxes::RightForwardUp).inverse();
+  std::vector<bags::PoseMessage> transforms;
+  for (const ScanTopic& lidar : lidars)
+    if (lidar.nominal_ins_from_lidar)
+      transforms.push_back({{0, "novatel"}, lidar.frame, rfu_from_flu * *lidar.nominal_ins_from_lidar});
+  if (transforms.empty()) return;
+  const std::uint32_t topic =
+      bag.add_topic("/tf_static", bags::apollo_definition("apollo.transform.TransformStampeds"));
+  messages.insert(messages.begin(), {begin_ns, topic, bags::apollo_transforms_message(transforms)});
+}
 
 struct ScanOfTopic {
   std::size_t lidar = 0, scan = 0;
@@ -174,9 +242,9 @@ std::vector<ScanOfTopic> scans_in_order(const std::vector<ScanTopic>& lidars) {
 void write_bag(const drive::Session& session, std::vector<ScanTopic> lidars, const std::filesystem::path& folder,
                const std::string& format, int threads, Progress& progress) {
   const std::unique_ptr<bags::BagWriter> bag = make_writer(folder, format);
-  for (ScanTopic& lidar : lidars)
-    lidar.id = bag->add_topic(lidar.topic, bags::message_definition("sensor_msgs/PointCloud2", bag->encoding()));
-  const std::vector<Waiting> others = other_messages(session, *bag, format.ends_with("novatel"));
+  for (ScanTopic& lidar : lidars) lidar.id = bag->add_topic(lidar.topic, scan_definition(bag->encoding()));
+  std::vector<Waiting> others = other_messages(session, *bag, format.ends_with("novatel"));
+  if (is_of_apollo(*bag)) add_apollo_transforms(lidars, others.front().stamp_ns, *bag, others);
   std::size_t next = 0;
   const auto write_until = [&](std::int64_t stamp_ns) {
     for (; next < others.size() && others[next].stamp_ns <= stamp_ns; ++next)
@@ -187,9 +255,7 @@ void write_bag(const drive::Session& session, std::vector<ScanTopic> lidars, con
     std::vector<std::string> messages(std::min(kScansAtOnce, order.size() - from));
     parallel_for(messages.size(), threads, [&](std::size_t i) {
       if (progress.cancelled()) return;
-      const ScanOfTopic& scan = order[from + i];
-      const ScanTopic& lidar = lidars[scan.lidar];
-      messages[i] = bags::cloud_message(lidar.scans->load(scan.scan), scan.stamp_ns, lidar.frame, bag->encoding());
+      messages[i] = scan_message(lidars[order[from + i].lidar], order[from + i].scan, bag->encoding());
     });
     if (progress.cancelled()) return;
     progress.report(say::stage_writing_scans, from, order.size());
@@ -219,7 +285,9 @@ void write_packet_bag(const CapturedSensor& sensor, const SimulatedDrive& drive,
 
 void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                      int threads, Progress& progress) {
-  write_bag(drive.session, {{drive.session.scans.get(), "/lidar/points", "lidar"}}, folder, format, threads, progress);
+  const std::string topic = format == "apollo-record" ? "/apollo/sensor/lidar/PointCloud2" : "/lidar/points";
+  write_bag(drive.session, {{drive.session.scans.get(), topic, "lidar", drive.session.nominal_ins_from_lidar}}, folder,
+            format, threads, progress);
 }
 
 void write_bag_vehicle(const SimulatedVehicle& vehicle, const std::filesystem::path& folder, const std::string& format,
@@ -227,7 +295,9 @@ void write_bag_vehicle(const SimulatedVehicle& vehicle, const std::filesystem::p
   std::vector<ScanTopic> lidars;
   for (const SimulatedDrive& drive : vehicle.lidars) {
     const std::string& name = drive.session.lidar_name;
-    lidars.push_back({drive.session.scans.get(), "/lidar_" + name + "/points", name});
+    const std::string topic =
+        format == "apollo-record" ? "/apollo/sensor/" + name + "/PointCloud2" : "/lidar_" + name + "/points";
+    lidars.push_back({drive.session.scans.get(), topic, name, drive.session.nominal_ins_from_lidar});
   }
   write_bag(vehicle.lidars.front().session, std::move(lidars), folder, format, threads, progress);
 }

@@ -1,4 +1,4 @@
-// Simulated drives as bags of ROS.
+// Simulated drives as bags of ROS, and as records of Apollo's Cyber.
 #pragma once
 
 #include "model/simulator/captured_sensor.h"
@@ -11,6 +11,9 @@ namespace remount::simulator {
 /// novatel_oem7_driver publishes INSPVA, and INSSTDEV once a second; the IMU as /imu/data and the GNSS receiver as
 /// /gnss/fix; wheels and barometer are left out. Deterministic for any number of threads. Distorted scans
 /// without the time of each point are Error(Contract). Returns early, without the file, where `progress` is cancelled.
+/// As "apollo-record" it is drive.record.00000: scans as /apollo/sensor/lidar/PointCloud2, the INS as Gps and InsStat,
+/// the receiver as GnssBestPose, the nominal in /tf_static; the IMU is left out. A drive without INS is
+/// Error(Contract).
 void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                      int threads, Progress& progress);
 
@@ -21,7 +24,8 @@ void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& f
 void write_packet_bag(const CapturedSensor& sensor, const SimulatedDrive& drive, const std::filesystem::path& folder,
                       const std::string& format, int threads, Progress& progress);
 
-/// As write_bag_drive, with the scans of each LiDAR as /lidar_NAME/points in the frame NAME.
+/// As write_bag_drive, with the scans of each LiDAR as /lidar_NAME/points, or /apollo/sensor/NAME/PointCloud2, in the
+/// frame NAME.
 void write_bag_vehicle(const SimulatedVehicle& vehicle, const std::filesystem::path& folder, const std::string& format,
                        int threads, Progress& progress);
 

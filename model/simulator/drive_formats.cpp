@@ -44,7 +44,8 @@ void write_native_text(const SimulatedDrive& drive, const fs::path& folder, int 
 void write_kitti(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   formats::write_kitti_raw_session(drive.session, folder, threads, progress);
 }
-constexpr char kRosbag1[] = "rosbag1", kRosbag2[] = "rosbag2", kMcap[] = "mcap", kMcapNovatel[] = "mcap-novatel";
+constexpr char kRosbag1[] = "rosbag1", kRosbag2[] = "rosbag2", kMcap[] = "mcap", kMcapNovatel[] = "mcap-novatel",
+               kApolloRecord[] = "apollo-record";
 template <const char* id>
 void write_bag(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   write_bag_drive(drive, folder, id, threads, progress);
@@ -102,6 +103,8 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"mcap", "ros-bag", write_bag<kMcap>, OtherTruth::None, kOwnAxes, nullptr, write_bag_of_vehicle<kMcap>},
       {"mcap-novatel", "ros-bag", write_bag<kMcapNovatel>, OtherTruth::None, kRightForwardUp, nullptr,
        write_bag_of_vehicle<kMcapNovatel>},
+      {"apollo-record", "apollo-record", write_bag<kApolloRecord>, OtherTruth::None, kRightForwardUp, nullptr,
+       write_bag_of_vehicle<kApolloRecord>},
       {"rosbag1-velodyne", "ros-bag", write_packets<kPuck, kRosbag1>},
       {"mcap-ouster", "ros-bag", write_packets<kOusterHead, kMcap>},
       {"rosbag2-hesai", "ros-bag", write_packets<kHesaiSpinner, kRosbag2>},

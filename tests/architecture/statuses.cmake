@@ -5,9 +5,9 @@ if(NOT FOLDERS)
   set(FOLDERS algorithms,model)
 endif()
 string(REPLACE "," ";" tops "${FOLDERS}")
-# Where the two are set, and where they are read from a file; messages of ROS have a status of their own.
-set(allowed algorithms/calibration/calibration_result.cpp model/formats/bags/ins_messages.cpp
-    model/formats/bags/ros_messages.cpp)
+# Where the two are set, and where they are read from a file; messages of ROS and Apollo have a status of their own.
+set(allowed algorithms/calibration/calibration_result.cpp model/formats/bags/apollo_messages.cpp
+    model/formats/bags/ins_messages.cpp model/formats/bags/ros_messages.cpp)
 
 set(failures "")
 set(checked 0)

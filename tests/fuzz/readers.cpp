@@ -165,6 +165,8 @@ const std::vector<Reader>& readers() {
       {"rosbag2-database", "drive.db3", read_session},
       {"rosbag2-packed", "drive.db3.zstd", read_session},
       {"rosbag2-folder", "", read_session},
+      {"record", "drive.record", read_session},
+      {"record-parts", "", read_session},
       {"lidar-capture", "drive.pcap", read_session},
       {"lvx", "drive.lvx", read_session},
       {"kept-index", "capture.index", read_index_body},

@@ -107,6 +107,11 @@ std::string BagFile::kept_definition(std::string_view type, std::string_view def
   return std::string(definition);
 }
 
+std::string BagFile::message_end(const BagEntry& entry, std::size_t at_most) const {
+  std::string whole = message(entry);
+  return whole.substr(whole.size() - std::min(whole.size(), at_most));
+}
+
 std::size_t BagFile::topic(std::string name, std::string type, MessageEncoding encoding, std::string_view definition) {
   type = short_type(type);
   for (std::size_t i = 0; i < topics_.size(); ++i)

@@ -15,9 +15,10 @@
 namespace remount::bags {
 
 enum class MessageEncoding {
-  Ros1,   ///< ROS 1 serialisation: packed, little-endian
-  Cdr,    ///< what ROS 2 writes: aligned, with a header that says the byte order
-  Other,  ///< listed, not read
+  Ros1,      ///< ROS 1 serialisation: packed, little-endian
+  Cdr,       ///< what ROS 2 writes: aligned, with a header that says the byte order
+  Protobuf,  ///< Protocol Buffers, in records of Cyber: see apollo_messages.h
+  Other,     ///< listed, not read
 };
 
 inline constexpr std::uint32_t kNoChunk = std::numeric_limits<std::uint32_t>::max();
@@ -32,7 +33,7 @@ struct BagEntry {
 
 struct BagTopic {
   std::string name;
-  std::string type;  ///< "sensor_msgs/PointCloud2", in ROS 2 as in ROS 1
+  std::string type;  ///< "sensor_msgs/PointCloud2", in ROS 2 as in ROS 1; "apollo.drivers.PointCloud"
   MessageEncoding encoding = MessageEncoding::Other;
   std::vector<BagEntry> entries;  ///< in the order of log_time_ns
   /// Of its type as the bag has it: fields, and behind lines of '=' those of the messages in it. Empty where it is in
@@ -53,6 +54,8 @@ class BagFile {
   /// The first `at_most` bytes of a message. Thread-safe. Throws Error (file, place, expectation).
   virtual std::string message(const BagEntry& entry,
                               std::size_t at_most = std::numeric_limits<std::size_t>::max()) const = 0;
+  /// The last `at_most` bytes of a message; likewise.
+  virtual std::string message_end(const BagEntry& entry, std::size_t at_most) const;
 
  protected:
   /// The topic of that name and type, new where there was none. "pkg/msg/Type" becomes "pkg/Type".

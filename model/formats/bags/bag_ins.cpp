@@ -9,6 +9,7 @@
 #include "messages/general.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/apollo_messages.h"
 #include "model/formats/bags/bag_clocks.h"
 #include "model/formats/bags/bag_driver_axes.h"
 #include "model/formats/bags/bag_nmea.h"
@@ -275,7 +276,10 @@ class MotionOfBag {
 
   void add_poses() {
     session_.world_from_ins = std::move(s_.ins_poses.world_from_child);
-    if (kind_of(*roles_.ins) != MessageKind::Odometry) session_.ins_axes.reset();
+    const MessageKind kind = kind_of(*roles_.ins);
+    if (kind != MessageKind::Odometry) session_.ins_axes.reset();
+    if (is_apollo_pose(kind)) session_.ins_axes = drive::InsAxes::RightForwardUp;
+    report_lost_corrections(s_.position_types, place(*roles_.ins), session_.findings);
     if (!session_.world_from_ins.empty())
       drive::keep_ascending(session_.world_from_ins, "ins", place(*roles_.ins), session_.findings);
     tell_slow(drive::median_period_s(session_.world_from_ins));

@@ -6,11 +6,14 @@
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "messages/bags.h"
+#include "messages/records.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/apollo_messages.h"
 #include "model/formats/bags/bag_ins.h"
 #include "model/formats/bags/bag_week_rollover.h"
 #include "model/formats/bags/cloud_message.h"
+#include "model/formats/bags/record_file.h"
 #include "model/formats/bags/static_frames.h"
 #include "model/formats/clouds/timed_scans.h"
 #include "model/formats/packets/capture_scans.h"
@@ -37,7 +40,12 @@ class BagScanSource final : public formats::TimedScanSource {
     const BagEntry& entry = topic_.entries[at(scan).index];
     const std::string bytes = bag_->message(entry);
     MessageReader reader(bytes, topic_.encoding, bag_->files().front().string() + ": " + name(scan));
-    return read_cloud(reader, message_kind(topic_.type), at(scan).stamp_ns, times_for_reading());
+    formats::ReadCloud read = read_cloud(reader, message_kind(topic_.type), at(scan).stamp_ns, times_for_reading());
+    if (compensated()) read.cloud.time_from_stamp_s = {};  // all points are where they were at the stamp
+    return read;
+  }
+  bool compensated() const {
+    return message_kind(topic_.type) == MessageKind::ApolloCloud && is_of_compensator(topic_.name);
   }
 
  private:
@@ -117,12 +125,31 @@ void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& role
   if (scans.empty()) throw Error(ErrorCode::Format, where, say::bag_no_scan());
   drive::keep_ascending(scans, "scan", where, session.findings);
   const auto source = std::make_shared<BagScanSource>(bag, *roles.lidar, std::move(scans));
-  judge_point_times(*source, session);
+  if (source->compensated()) {
+    session.scan_timing = drive::ScanTiming::Instant;
+    source->use_times(formats::TimesOfPoints::Unused);
+    session.findings.push_back(
+        drive::make_finding(drive::Severity::Warning, "scans-compensated", where, say::apollo_compensated()));
+  } else {
+    judge_point_times(*source, session);
+  }
   session.scans = source;
+}
+
+/// What Apollo's transforms call the frame of its poses: of those that they know, the one that is usual for these.
+std::string apollo_frame(const BagStreams& streams) {
+  const std::string& usual = streams.ins_poses.child_frame;
+  for (const std::string& frame : {usual, std::string("novatel"), std::string("localization"), std::string("imu")})
+    if (std::ranges::any_of(streams.static_transforms, [&](const PoseMessage& transform) {
+          return transform.child_frame == frame || transform.header.frame == frame;
+        }))
+      return frame;
+  return usual;
 }
 
 std::string ins_frame(const BagFile& bag, const TopicRoles& roles, const BagStreams& streams) {
   if (!roles.ins) return {};
+  if (is_apollo_pose(message_kind(bag.topics()[*roles.ins].type))) return apollo_frame(streams);
   if (is_attitude(message_kind(bag.topics()[*roles.ins].type)))
     return streams.attitude.messages.empty() ? std::string() : streams.attitude.messages.front().header.frame;
   return streams.ins_poses.child_frame;
@@ -164,11 +191,20 @@ std::shared_ptr<PacketTopics> looked_through(const BagFile& bag, const Progress&
   return std::make_shared<PacketTopics>(examine_packets(bag, progress));
 }
 
-drive::Session begun_session(const BagFile& bag, const fs::path& path, const drive::TopicChoice& choice) {
+/// What a session is opened from.
+struct OpenedBag {
+  std::shared_ptr<const BagFile> bag;
+  fs::path path;
+  std::string format;  ///< id of the reader
+};
+
+drive::Session begun_session(const OpenedBag& opened, const drive::TopicChoice& choice) {
+  const BagFile& bag = *opened.bag;
+  const fs::path& path = opened.path;
   drive::Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
-  session.format = BagReader().id();
+  session.format = opened.format;
   session.files = bag.files();
   session.findings = bag.findings();
   session.topic_choice = choice;
@@ -196,7 +232,8 @@ void complete(const std::shared_ptr<const BagFile>& bag, const ChosenTopics& cho
   const std::string frame = ins_frame(*bag, roles, streams);
   mend_week_rollovers(*bag, roles, streams, session.findings);
   session.world_frame = streams.ins_poses.frame;
-  session.attitudes_to_true_north = roles.ins && is_of_novatel(bag->topics()[*roles.ins].name);
+  session.attitudes_to_true_north = roles.ins && (is_of_novatel(bag->topics()[*roles.ins].name) ||
+                                                  is_apollo_pose(message_kind(bag->topics()[*roles.ins].type)));
   if (roles.lidar) session.lidar_name = bag->topics()[*roles.lidar].name;
   add_ins(*bag, chosen, streams, session);
   if (!roles.gnss && !session.topic_choice.contains("gnss"))
@@ -206,13 +243,13 @@ void complete(const std::shared_ptr<const BagFile>& bag, const ChosenTopics& cho
 }
 
 /// A session of the chosen topics; of the bag itself no more than its index has been read.
-drive::Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& path,
-                          const drive::TopicChoice& choice, Progress& progress) {
+drive::Session session_of(const OpenedBag& opened, const drive::TopicChoice& choice, Progress& progress) {
+  const std::shared_ptr<const BagFile>& bag = opened.bag;
   const std::shared_ptr<PacketTopics> packets = looked_through(*bag, progress);
   constexpr std::size_t kMostWithoutScans = 8;
   std::vector<drive::Finding> no_scans;
   while (true) {
-    drive::Session session = begun_session(*bag, path, choice);
+    drive::Session session = begun_session(opened, choice);
     if (progress.cancelled()) return session;
     const ChosenTopics chosen = choose_topics(*bag, choice, session.findings, packets);
     const std::optional<std::size_t>& lidar = chosen.roles.lidar;
@@ -233,6 +270,14 @@ drive::Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::p
 }  // namespace
 
 int BagReader::probe(const fs::path& path) const { return probe_bag(path); }
+int RecordReader::probe(const fs::path& path) const { return probe_record(path); }
+
+std::shared_ptr<const BagFile> BagReader::open_file(const fs::path& path, Progress& progress) const {
+  return open_bag(path, progress);
+}
+std::shared_ptr<const BagFile> RecordReader::open_file(const fs::path& path, Progress& progress) const {
+  return open_record(path, progress);
+}
 
 drive::Session BagReader::open(const fs::path& path, Progress& progress) const {
   return open_topics(path, {}, progress);
@@ -240,21 +285,20 @@ drive::Session BagReader::open(const fs::path& path, Progress& progress) const {
 
 drive::Session BagReader::open_topics(const fs::path& path, const drive::TopicChoice& topics,
                                       Progress& progress) const {
-  return session_of(open_bag(path, progress), path, topics, progress);
+  return session_of({open_file(path, progress), path, std::string(id())}, topics, progress);
 }
 
 std::optional<drive::TopicOffer> BagReader::offer_topics(const fs::path& path, Progress& progress) const {
-  const std::shared_ptr<const BagFile> bag = open_bag(path, progress);
+  const OpenedBag opened{open_file(path, progress), path, std::string(id())};
   std::vector<drive::Finding> none;
-  return drive::TopicOffer{path, choose_topics(*bag, {}, none, looked_through(*bag, progress)).topics,
-                           [bag, path](const drive::TopicChoice& topics, Progress& reading) {
-                             return session_of(bag, path, topics, reading);
-                           }};
+  return drive::TopicOffer{
+      path, choose_topics(*opened.bag, {}, none, looked_through(*opened.bag, progress)).topics,
+      [opened](const drive::TopicChoice& topics, Progress& reading) { return session_of(opened, topics, reading); }};
 }
 
 std::vector<drive::LidarOffer> BagReader::offer_lidars(const fs::path& path, Progress& progress) const {
   std::vector<drive::Finding> none;
-  const std::shared_ptr<const BagFile> bag = open_bag(path, progress);
+  const std::shared_ptr<const BagFile> bag = open_file(path, progress);
   const ChosenTopics chosen = choose_topics(*bag, {}, none, looked_through(*bag, progress));
   std::vector<drive::LidarOffer> offers;
   std::size_t most_scans = 0;

@@ -1,7 +1,8 @@
-// Bags of ROS as sessions, without ROS.
+// Bags of ROS as sessions, without ROS, and records of Apollo's Cyber, which are as bags.
 #pragma once
 
 #include "model/drive/topic_offer.h"
+#include "model/formats/bags/bag_file.h"
 #include "model/formats/sessions/session_reader.h"
 
 namespace remount::bags {
@@ -17,7 +18,7 @@ namespace remount::bags {
 /// apart by the recorder's, beside what a scan lasts), it is moved to the LiDAR's: finding "clock-moved"; what is apart
 /// by less, but more than by delays, is finding "host-clock".
 /// Static transforms between the frames of the two give the nominal mounting.
-class BagReader final : public formats::SessionReader {
+class BagReader : public formats::SessionReader {
  public:
   std::string_view id() const override { return "ros-bag"; }
   Message description() const override;
@@ -28,6 +29,22 @@ class BagReader final : public formats::SessionReader {
   std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const override;
   /// Every topic that is a LiDAR without being asked to be; poses are not.
   std::vector<drive::LidarOffer> offer_lidars(const std::filesystem::path& path, Progress& progress) const override;
+
+ protected:
+  virtual std::shared_ptr<const BagFile> open_file(const std::filesystem::path& path, Progress& progress) const;
+};
+
+/// Opens a record, or a folder with one. Scans are those of PointCloud, each channel a LiDAR; the INS is Gps or
+/// LocalizationEstimate, poses in UTM with INS axes x right, y forward, z up and attitudes to true north; GNSS is
+/// GnssBestPose. Clouds of a compensator are scans that were taken at once, with a finding "scans-compensated".
+class RecordReader final : public BagReader {
+ public:
+  std::string_view id() const override { return "apollo-record"; }
+  Message description() const override;
+  int probe(const std::filesystem::path& path) const override;
+
+ protected:
+  std::shared_ptr<const BagFile> open_file(const std::filesystem::path& path, Progress& progress) const override;
 };
 
 }  // namespace remount::bags

@@ -11,6 +11,7 @@
 #include "messages/stages.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/apollo_messages.h"
 #include "model/formats/bags/cloud_message.h"
 #include "model/formats/bags/ins_messages.h"
 #include "model/formats/files/input_file.h"
@@ -103,17 +104,28 @@ void note(StreamClock& clock, std::int64_t stamp_ns, const BagEntry& entry) {
   clock.readings.push_back({stamp_ns, entry.log_time_ns});
 }
 
+/// Of a cloud of which the beginning is at hand; its stamp stands at its end.
+MessageHeader apollo_header(const BagFile& bag, const BagEntry& entry, MessageReader& begin) {
+  if (auto header = read_apollo_scan_header(begin, bag.message_end(entry, kApolloCloudEnd))) return std::move(*header);
+  const std::string bytes = bag.message(entry);
+  MessageReader whole(bytes, begin.encoding(), begin.where());
+  return read_apollo_scan_header(whole);
+}
+
 class StreamReader {
  public:
   StreamReader(const BagFile& bag, BagStreams& streams) : bag_(bag), streams_(streams) {}
 
   void add_scans(std::size_t topic) {
-    add(topic, kStampBytes, [&s = streams_.scans](const BagEntry& entry, std::size_t index, MessageReader& reader) {
-      const MessageHeader header = read_header(reader);
-      if (s.scans.empty()) s.frame = header.frame;
-      s.scans.push_back({index, header.stamp_ns});
-      note(s.clock, header.stamp_ns, entry);
-    });
+    const MessageKind kind = message_kind(bag_.topics()[topic].type);
+    add(topic, kStampBytes,
+        [&s = streams_.scans, &bag = bag_, kind](const BagEntry& entry, std::size_t index, MessageReader& reader) {
+          const MessageHeader header =
+              kind == MessageKind::ApolloCloud ? apollo_header(bag, entry, reader) : read_header(reader);
+          if (s.scans.empty()) s.frame = header.frame;
+          s.scans.push_back({index, header.stamp_ns});
+          note(s.clock, header.stamp_ns, entry);
+        });
   }
   void add_packets(std::size_t lidar, const PacketTopics& all) {
     streams_.packets = std::make_unique<PacketStream>(bag_, all, lidar);
@@ -163,6 +175,11 @@ class StreamReader {
       s.messages.push_back(message_kind(type) == MessageKind::Gsof50 ? read_gsof50(reader)
                                                                      : read_insstdev_message(reader, type));
       note(s.clock, s.messages.back().stamp_ns, entry);
+    });
+  }
+  void add_position_types(std::size_t topic) {
+    add(topic, kAll, [&all = streams_.position_types](const BagEntry&, std::size_t, MessageReader& reader) {
+      all.push_back(read_apollo_status(reader));
     });
   }
   void add_sentences(std::size_t topic, std::string& text) {
@@ -283,6 +300,9 @@ BagStreams read_streams(const BagFile& bag, const ChosenTopics& chosen, std::vec
     reader.add_insstdev(*beside, streams.insstdev);
   if (const auto beside = errors_beside(bag, roles, MessageKind::Gsof49, MessageKind::Gsof50))
     reader.add_insstdev(*beside, streams.insstdev);
+  for (const MessageKind poses : {MessageKind::ApolloGps, MessageKind::ApolloLocalization})
+    if (const auto beside = errors_beside(bag, roles, poses, MessageKind::ApolloInsStat))
+      reader.add_position_types(*beside);
   if (roles.ins && is_attitude(kind(*roles.ins))) reader.add_imu(*roles.ins, streams.attitude);
   if (roles.ins_position) reader.add_fixes(*roles.ins_position, streams.position);
   const auto tells_nmea = [&](const std::optional<std::size_t>& topic) {

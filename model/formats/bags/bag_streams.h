@@ -8,6 +8,7 @@
 
 #include "model/drive/stamped_streams.h"
 #include "model/formats/bags/bag_packets.h"
+#include "model/formats/bags/correction_status.h"
 #include "model/formats/bags/ros_messages.h"
 #include "model/formats/bags/topic_roles.h"
 
@@ -64,6 +65,7 @@ struct BagStreams {
   FixStream gnss;
   std::string ins_sentences, gnss_sentences;  ///< of NMEA, a line each, where topics of sentences serve
   ImuStream imu;
+  std::vector<CorrectionStatus> position_types;  ///< of an INS whose poses do not say them
   std::vector<PoseMessage> static_transforms;
 };
 

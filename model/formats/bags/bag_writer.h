@@ -31,4 +31,7 @@ std::unique_ptr<BagWriter> make_mcap_writer(const std::filesystem::path& path, M
 /// A database of rosbag2, in CDR. Its metadata.yaml is not written: `ros2 bag reindex` makes it.
 std::unique_ptr<BagWriter> make_sqlite_writer(const std::filesystem::path& path);
 
+/// A record of Cyber, whose messages are those of apollo_writer.h.
+std::unique_ptr<BagWriter> make_record_writer(const std::filesystem::path& path, std::size_t chunk_bytes = 4096 * 1024);
+
 }  // namespace remount::bags

@@ -7,6 +7,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/index.h"
 #include "messages/bags.h"
+#include "model/formats/bags/apollo_messages.h"
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/input_file.h"
 
@@ -150,6 +151,7 @@ formats::CloudBuilder read_livox(MessageReader& reader) {
 
 formats::ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns,
                               formats::PointTimes times) {
+  if (kind == MessageKind::ApolloCloud) return read_apollo_cloud(reader, stamp_ns, times);
   if (kind == MessageKind::LivoxCustom) {
     formats::ReadCloud read = read_livox(reader).finish(stamp_ns, reader.where(), times);
     read.columns = "offset_time x y z reflectivity tag line";

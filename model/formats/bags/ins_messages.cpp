@@ -7,6 +7,7 @@
 #include "messages/bags.h"
 #include "messages/ins_logs.h"
 #include "model/drive/plausible_values.h"
+#include "model/formats/bags/apollo_messages.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/sbf_blocks.h"
 
@@ -241,6 +242,7 @@ std::optional<InspvaxMessage> read_oxts_ncom(MessageReader& reader, formats::Nco
 
 FixMessage read_any_fix(MessageReader& reader, MessageKind kind) {
   if (kind == MessageKind::SbgNav) return read_sbg_nav(reader);
+  if (kind == MessageKind::ApolloBestPose) return read_apollo_fix(reader);
   return kind == MessageKind::GpsFix ? read_gps_fix(reader) : read_fix(reader);
 }
 

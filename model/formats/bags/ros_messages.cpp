@@ -8,6 +8,7 @@
 #include "messages/bags.h"
 #include "model/conventions/impossible_motion.h"
 #include "model/drive/plausible_values.h"
+#include "model/formats/bags/apollo_messages.h"
 #include "model/formats/bags/packet_messages.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
@@ -203,6 +204,12 @@ constexpr std::pair<std::string_view, MessageKind> kKinds[] = {
     {"nmea_msgs/Sentence", MessageKind::NmeaSentence},
     {"tf2_msgs/TFMessage", MessageKind::Transforms},
     {"tf/tfMessage", MessageKind::Transforms},
+    {"apollo.drivers.PointCloud", MessageKind::ApolloCloud},
+    {"apollo.localization.Gps", MessageKind::ApolloGps},
+    {"apollo.localization.LocalizationEstimate", MessageKind::ApolloLocalization},
+    {"apollo.drivers.gnss.GnssBestPose", MessageKind::ApolloBestPose},
+    {"apollo.drivers.gnss.InsStat", MessageKind::ApolloInsStat},
+    {"apollo.transform.TransformStampeds", MessageKind::Transforms},
 };
 
 }  // namespace
@@ -215,10 +222,13 @@ MessageKind message_kind(std::string_view type) {
 
 bool is_pose(MessageKind kind) {
   return kind == MessageKind::Odometry || kind == MessageKind::PoseStamped ||
-         kind == MessageKind::PoseWithCovarianceStamped || kind == MessageKind::TransformStamped;
+         kind == MessageKind::PoseWithCovarianceStamped || kind == MessageKind::TransformStamped ||
+         is_apollo_pose(kind);
 }
 
-bool is_cloud(MessageKind kind) { return kind == MessageKind::PointCloud2 || kind == MessageKind::LivoxCustom; }
+bool is_cloud(MessageKind kind) {
+  return kind == MessageKind::PointCloud2 || kind == MessageKind::LivoxCustom || kind == MessageKind::ApolloCloud;
+}
 
 bool is_inspva(MessageKind kind) { return kind == MessageKind::Inspvax || kind == MessageKind::Inspva; }
 
@@ -284,6 +294,7 @@ FixMessage read_fix(MessageReader& reader) {
 }
 
 PoseMessage read_pose(MessageReader& reader, MessageKind kind) {
+  if (is_apollo_pose(kind)) return read_apollo_pose(reader, kind);
   PoseMessage message;
   message.header = read_header(reader);
   if (kind == MessageKind::Odometry || kind == MessageKind::TransformStamped)
@@ -293,6 +304,7 @@ PoseMessage read_pose(MessageReader& reader, MessageKind kind) {
 }
 
 bool has_orientation(MessageReader& reader, MessageKind kind) {
+  if (is_apollo_pose(kind)) return apollo_pose_has_orientation(reader, kind);
   read_header(reader);
   if (kind == MessageKind::Odometry || kind == MessageKind::TransformStamped) reader.string();
   read_vector(reader);
@@ -301,6 +313,7 @@ bool has_orientation(MessageReader& reader, MessageKind kind) {
 }
 
 std::vector<PoseMessage> read_transforms(MessageReader& reader) {
+  if (reader.encoding() == MessageEncoding::Protobuf) return read_apollo_transforms(reader);
   constexpr std::size_t kLeastBytes = 64;
   std::vector<PoseMessage> transforms;
   for (std::size_t left = reader.sequence(kLeastBytes); left > 0; --left)

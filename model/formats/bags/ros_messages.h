@@ -1,4 +1,4 @@
-// The messages of ROS that a calibration lives on, as values.
+// The messages that a calibration lives on, as values: those of ROS, and what those of others (Apollo's) become.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -39,12 +39,18 @@ enum class MessageKind {
   Gsof50,  ///< errors of Gsof49
   OxtsNcom,
   NmeaSentence,
+  // Of Apollo: see apollo_messages.h. Its TransformStampeds are Transforms.
+  ApolloCloud,
+  ApolloGps,
+  ApolloLocalization,
+  ApolloBestPose,
+  ApolloInsStat,  ///< how good the positions of ApolloGps are
 };
 /// Of a topic's type, "sensor_msgs/Imu".
 MessageKind message_kind(std::string_view type);
-/// Odometry, PoseStamped, PoseWithCovarianceStamped or TransformStamped.
+/// Odometry, PoseStamped, PoseWithCovarianceStamped or TransformStamped; ApolloGps or ApolloLocalization.
 bool is_pose(MessageKind kind);
-/// PointCloud2 or LivoxCustom.
+/// PointCloud2, LivoxCustom or ApolloCloud.
 bool is_cloud(MessageKind kind);
 /// NovAtel's own solution: INSPVAX or INSPVA.
 bool is_inspva(MessageKind kind);

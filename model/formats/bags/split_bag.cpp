@@ -38,6 +38,10 @@ std::string SplitBag::message(const BagEntry& entry, std::size_t at_most) const 
   return parts_.at(entry.file)->message(entry, at_most);
 }
 
+std::string SplitBag::message_end(const BagEntry& entry, std::size_t at_most) const {
+  return parts_.at(entry.file)->message_end(entry, at_most);
+}
+
 bool is_rosbag2_folder(const fs::path& folder) {
   try {
     return formats::read_text_head(folder / "metadata.yaml", 4096).find(kInformation) != std::string::npos;

@@ -1,4 +1,4 @@
-// A bag of ROS 2 as it lies on the disk: a folder with metadata.yaml and one file or several.
+// Bags of several files: of ROS 2 as they lie on the disk, a folder with metadata.yaml and one file or several.
 #pragma once
 
 #include <vector>
@@ -12,6 +12,7 @@ class SplitBag final : public BagFile {
  public:
   explicit SplitBag(std::vector<std::shared_ptr<const BagFile>> parts);
   std::string message(const BagEntry& entry, std::size_t at_most) const override;
+  std::string message_end(const BagEntry& entry, std::size_t at_most) const override;
   void add_finding(drive::Finding finding) { findings_.push_back(std::move(finding)); }
 
  private:

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algorithms/core/error.h"
+#include "model/formats/bags/apollo_messages.h"
 #include "model/formats/bags/bag_packets.h"
 #include "model/formats/bags/cloud_message.h"
 #include "model/formats/bags/ins_messages.h"
@@ -92,9 +93,13 @@ void examine(const BagFile& bag, const PacketTopics& packets, TopicCandidate& ca
   if (!is_cloud(candidate.kind)) return;
   const std::string bytes = bag.message(topic.entries.front(), kHeadBytes);
   MessageReader reader(bytes, topic.encoding, where);
-  const CloudOutline outline = read_cloud_outline(reader, candidate.kind);
-  candidate.timed = outline.timed || outline.ringed;
-  candidate.point_times = outline.timed;
+  const bool apollo = candidate.kind == MessageKind::ApolloCloud;
+  const CloudOutline outline =
+      apollo ? read_apollo_outline(reader, bag.message_end(topic.entries.front(), kApolloCloudEnd))
+             : read_cloud_outline(reader, candidate.kind);
+  candidate.compensated = apollo && is_of_compensator(topic.name);
+  candidate.point_times = outline.timed && !candidate.compensated;
+  candidate.timed = candidate.point_times || outline.ringed;
   candidate.points = outline.points;
   candidate.frame = outline.header.frame;
 }
@@ -133,6 +138,7 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
   switch (candidate.kind) {
     case MessageKind::PointCloud2:
     case MessageKind::LivoxCustom:
+    case MessageKind::ApolloCloud:
       return role == "lidar";
     case MessageKind::LidarPackets:
       return role == "lidar" && !candidate.model.empty() && candidate.refusal.empty();
@@ -148,6 +154,11 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
     case MessageKind::GpsFix:
     case MessageKind::SbgNav:
       return role == "ins-position" || role == "gnss";
+    case MessageKind::ApolloBestPose:
+      return role == "gnss";
+    case MessageKind::ApolloGps:
+    case MessageKind::ApolloLocalization:
+      return role == "ins" && candidate.oriented;
     case MessageKind::Inspvax:
     case MessageKind::Inspva:
     case MessageKind::InsNavGeod:
@@ -163,7 +174,7 @@ bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role) {
   return can_be(candidate, role) || (candidate.kind == MessageKind::Imu && (role == "ins" || role == "imu")) ||
          ((is_attitude(candidate.kind) || candidate.kind == MessageKind::NmeaSentence) && role == "ins") ||
          (candidate.kind == MessageKind::LidarPackets && role == "lidar") ||
-         (is_pose(candidate.kind) && (role == "ins" || role == "lidar"));
+         (is_pose(candidate.kind) && (role == "ins" || (role == "lidar" && !is_apollo_pose(candidate.kind))));
 }
 
 }  // namespace remount::bags

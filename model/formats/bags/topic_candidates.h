@@ -22,6 +22,7 @@ struct TopicCandidate {
   bool inertial = true;            ///< IMU: its rates are measured
   bool timed = false;              ///< cloud: its points have times or rings
   bool point_times = false;        ///< cloud: they have times
+  bool compensated = false;        ///< cloud: by its name; its times are not used
   std::string model = {};          ///< packets: the sensor that they are of; empty: of none that is known
   Message refusal = {};            ///< packets: why they are not decoded; empty: they are, where a model is known
   std::string frame = {};          ///< cloud, packets; empty: it says none

@@ -7,70 +7,15 @@
 #include "algorithms/core/median.h"
 #include "messages/topics.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/bags/apollo_messages.h"
 #include "model/formats/bags/ins_messages.h"
 #include "model/formats/bags/packet_clouds.h"
 #include "model/formats/bags/topic_candidates.h"
+#include "model/formats/bags/topic_fitness.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/sessions/pose_session_reader.h"
 
 namespace remount::bags {
 namespace {
-
-/// How well a topic serves as something: higher is better; 0: not without being asked.
-struct Fitness {
-  double points = 0.0;
-  Message why;
-};
-
-/// Why a topic that no role can have has none. @param candidate null where its messages cannot be read
-Message unusable_reason(const BagTopic& topic, const TopicCandidate* candidate) {
-  if (topic.entries.empty()) return say::topic_empty();
-  if (topic.encoding == MessageEncoding::Other) return say::topic_not_read();
-  if (candidate && !candidate->refusal.empty()) return candidate->refusal;
-  const MessageKind kind = message_kind(topic.type);
-  if (kind == MessageKind::Transforms) return say::topic_moving_transforms();
-  if (kind == MessageKind::Imu) return say::topic_imu_without_measurements();
-  if (is_pose(kind)) return say::topic_pose_without_orientation();
-  if (kind == MessageKind::Insstdev) return say::topic_insstdev();
-  if (kind == MessageKind::Gsof50) return say::topic_gsof50();
-  if (is_attitude(kind)) return say::topic_attitude_not_valid();
-  if (is_raw_packets(topic.type)) return say::topic_of_packets();
-  return say::topic_of_other_type();
-}
-
-Fitness fit_lidar(const TopicCandidate& candidate, bool steady) {
-  constexpr double kSteady = 1e12, kTimed = 1e11, kPointTimes = 1e10;
-  // Behind clouds whose points have times, which are what the sensor's own driver makes, and before all others.
-  if (candidate.kind == MessageKind::LidarPackets)
-    return {kSteady + kTimed + 0.5 * kPointTimes, say::topic_lidar_packets(candidate.model)};
-  if (!is_cloud(candidate.kind)) return {0.0, say::topic_poses_for_lidar()};
-  const double points = 1.0 + (steady ? kSteady : 0.0) + (candidate.timed ? kTimed : 0.0) +
-                        (candidate.point_times ? kPointTimes : 0.0) +
-                        std::min(static_cast<double>(candidate.points), 0.1 * kPointTimes);
-  if (candidate.damaged) return {points, say::topic_damaged_scans()};
-  if (!steady) return {points, say::topic_rare_clouds(candidate.points)};
-  return {points,
-          candidate.timed ? say::topic_timed_scans(candidate.points) : say::topic_untimed_scans(candidate.points)};
-}
-
-/// Of these words of a topic's name, parted by '/' and '_'.
-bool name_speaks_of(std::string topic, std::initializer_list<std::string_view> words) {
-  std::replace(topic.begin(), topic.end(), '/', '_');
-  return formats::name_has_word(topic, words);
-}
-
-bool name_speaks_of_ins(const std::string& topic) {
-  return name_speaks_of(topic,
-                        {"ins", "gnss", "gps", "novatel", "span", "oxts", "septentrio", "applanix", "pos", "nav"});
-}
-
-Fitness fit_pose(const std::string& topic, MessageKind kind) {
-  if (name_speaks_of(topic, {"lidar", "laser", "loam", "lio", "visual", "camera", "wheel", "wheels", "icp", "mapped"}))
-    return {0.0, say::topic_named_as_other_sensor()};
-  const double score = kind == MessageKind::Odometry ? 30.0 : kind == MessageKind::TransformStamped ? 10.0 : 20.0;
-  if (name_speaks_of_ins(topic)) return {score + 100.0, say::topic_named_as_ins()};
-  return {score, say::topic_named_as_nothing()};
-}
 
 /// Between poses at a lower rate the motion of a vehicle is guessed rather than interpolated.
 constexpr double kLeastInsRate_hz = 5.0;
@@ -121,7 +66,7 @@ class Chooser {
       const bool packets = c.kind == MessageKind::LidarPackets && !packet_sensors_.empty();
       const TopicCandidate* cloud = packets ? cloud_of_packets(bag_, candidates_, packet_sensors_, c) : nullptr;
       return cloud ? Fitness{0.0, say::topic_packets_of_cloud(c.model, shown(name(*cloud)))}
-                   : fit_lidar(c, is_steady(c.messages, most_clouds) && is_whole_lidar(c));
+                   : fit_scans(c, is_steady(c.messages, most_clouds) && is_whole_lidar(c));
     });
     find_ins_offers(roles.lidar);
     roles.ins = take("ins", [&](const TopicCandidate& c) { return fit_ins(c); });
@@ -157,6 +102,15 @@ class Chooser {
     });
   }
 
+  Fitness fit_scans(const TopicCandidate& candidate, bool steady) const {
+    if (candidate.kind != MessageKind::ApolloCloud) return fit_lidar(candidate, steady);
+    const bool raw_beside = std::ranges::any_of(candidates_, [&](const TopicCandidate& other) {
+      return other.kind == MessageKind::ApolloCloud && !other.compensated && other.frame == candidate.frame &&
+             !is_of_fusion(name(other));
+    });
+    return fit_cloud_of_apollo(candidate, name(candidate), raw_beside, fit_lidar(candidate, steady));
+  }
+
   /// Without regard to how often it comes.
   Fitness fit_ins_alone(const TopicCandidate& candidate, const std::optional<std::size_t>& lidar) const {
     if (lidar == candidate.topic) return {0.0, say::topic_is_lidar()};
@@ -183,8 +137,8 @@ class Chooser {
     offer_of_topic_.assign(bag_.topics().size(), kNoOffer);
     for (const TopicCandidate& candidate : candidates_) {
       if (!can_be(candidate, "ins")) continue;
-      const bool certain =
-          is_solution(candidate.kind) || has_open_axes(candidate.kind) || name_speaks_of_ins(name(candidate));
+      const bool certain = is_solution(candidate.kind) || has_open_axes(candidate.kind) ||
+                           is_apollo_pose(candidate.kind) || name_speaks_of_ins(name(candidate));
       offer_of_topic_[candidate.topic] = ins_offers_.size();
       ins_offers_.push_back({&candidate, fit_ins_alone(candidate, lidar), ins_rate_hz(candidate), certain});
     }

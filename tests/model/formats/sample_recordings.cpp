@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "tests/fuzz/readers.h"
+#include "tests/model/formats/bags/record_bags.h"
 #include "tests/model/formats/packets/capture_bytes.h"
 #include "tests/model/formats/packets/livox_bytes.h"
 #include "tests/model/formats/packets/robosense_bytes.h"
@@ -74,17 +76,43 @@ std::string recorded_lvx(int minor) {
   return lvx(minor, {{"47MDL1B0010008", 3, 9}, {"0TFDG3U99102431", 7, 10}}, frames);
 }
 
+/// Everything that is read of a record, from a scan on. @param compensated scans of a compensator alone
+std::string record_of_apollo(int from, bool compensated) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "drive.record";
+  bags::RecordMaker record(path);
+  if (!compensated) record.add_clouds("/apollo/sensor/front/PointCloud2", 4, 6, "front");
+  record.add_clouds("/apollo/sensor/rear/compensator/PointCloud2", 4, 6, "rear");
+  compensated ? record.add_estimates(12) : record.add_gps(12);
+  motion::GnssFix fix{0, 0.0, 0.0, 0.0, 0.0004 * Eigen::Matrix3d::Identity()};
+  for (int i = from; i < from + 3; ++i) {
+    const motion::InsSample sample = bags::BagMaker::on_circle(i);
+    fix.stamp_ns = sample.stamp_ns, fix.latitude_rad = sample.latitude_rad, fix.longitude_rad = sample.longitude_rad;
+    record.add(sample.stamp_ns, "/fix", bags::kApolloFix, bags::apollo_fix_message(fix, 50));
+    record.add(sample.stamp_ns, "/stat", bags::kApolloStat, bags::apollo_status_message(sample.stamp_ns, 56));
+  }
+  bags::PoseMessage transform{{0, compensated ? "localization" : "novatel"}, "front", RigidTransform::Identity()};
+  record.add(bags::kStart_ns, "/tf_static", bags::kApolloTransforms, bags::apollo_transforms_message({transform}));
+  record.finish();
+  return bytes_of(path);
+}
+
 }  // namespace
 
 std::vector<Sample> recorded_samples() {
-  return {{"lidar-capture", "livox", captured_livox()},
-          {"lidar-capture", "livox-sdk1", captured_former_livox()},
-          {"lidar-capture", "helios", captured_helios()},
-          {"lidar-capture", "rs16", captured_rs16()},
-          {"lidar-capture", "m1", captured_m1()},
-          {"lvx", "1.0", recorded_lvx(0)},
-          {"lvx", "1.1", recorded_lvx(1)},
-          {"lvx", "2", recorded_lvx(-1)}};
+  return {
+      {"lidar-capture", "livox", captured_livox()},
+      {"lidar-capture", "livox-sdk1", captured_former_livox()},
+      {"lidar-capture", "helios", captured_helios()},
+      {"lidar-capture", "rs16", captured_rs16()},
+      {"lidar-capture", "m1", captured_m1()},
+      {"lvx", "1.0", recorded_lvx(0)},
+      {"lvx", "1.1", recorded_lvx(1)},
+      {"lvx", "2", recorded_lvx(-1)},
+      {"record", "drive", record_of_apollo(0, false)},
+      {"record", "compensated", record_of_apollo(0, true)},
+      {"record-parts", "drive",
+       pack_files({{"d.record.00000", record_of_apollo(0, false)}, {"d.record.00002", record_of_apollo(3, true)}})}};
 }
 
 }  // namespace remount::formats

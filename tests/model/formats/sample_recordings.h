@@ -1,4 +1,4 @@
-// Captures of Livox's and RoboSense's sensors, of a few packets, and recordings of Livox Viewer.
+// Captures of Livox's and RoboSense's sensors, of a few packets, recordings of Livox Viewer, and records of Apollo.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace remount::formats {
 
-/// For the readers of captures.
+/// For the readers of captures and records.
 std::vector<Sample> recorded_samples();
 
 }  // namespace remount::formats
