@@ -90,7 +90,7 @@ struct ApolloPose {
 };
 
 ApolloPose read_pose_fields(MessageReader& reader, MessageKind kind) {
-  constexpr std::uint32_t kHeader = 1, kPose = 2, kMeasured = 4, kPosition = 1, kOrientation = 2;
+  constexpr std::uint32_t kHeader = 1, kPose = 2, kMeasured = 4, kPlace = 1, kOrientation = 2;
   ApolloPose pose;
   std::string_view inner;
   for (ProtoReader fields(proto_bytes(reader), reader.where()); fields.next();) {
@@ -101,7 +101,7 @@ ApolloPose read_pose_fields(MessageReader& reader, MessageKind kind) {
   }
   for (ProtoReader fields(inner, reader.where()); fields.next();) {
     const std::string_view bytes = fields.bytes().value_or(std::string_view());
-    if (fields.field() == kPosition) pose.position_m = read_numbers<3>(bytes, reader.where());
+    if (fields.field() == kPlace) pose.position_m = read_numbers<3>(bytes, reader.where());
     if (fields.field() == kOrientation) pose.orientation = read_numbers<4>(bytes, reader.where());
   }
   // A height that is not there is zero, and w may be left to the others.

@@ -102,10 +102,12 @@ RecordPart part_of(const fs::path& path) {
   return {name.substr(0, dot), std::stoull(digits), path};
 }
 
+/// By names first: a folder may have a hundred thousand scans, which nobody wants to be opened for this.
 std::vector<RecordPart> parts_in(const fs::path& folder) {
   std::vector<RecordPart> parts;
   for (const fs::path& file : formats::files_in(folder))
-    if (is_record(file)) parts.push_back(part_of(file));
+    if (file.filename().string().find(".record") != std::string::npos && is_record(file))
+      parts.push_back(part_of(file));
   std::ranges::stable_sort(parts, [](const RecordPart& a, const RecordPart& b) {
     return std::tie(a.recording, a.number, a.path) < std::tie(b.recording, b.number, b.path);
   });

@@ -10,7 +10,8 @@
 
 namespace remount::bags {
 
-/// How sure that a file or folder is one record, from the content: 0 (no) to 100. Never throws.
+/// How sure that a file or folder is one record, from the content; in a folder those that are called ".record" are
+/// looked at. 0 (no) to 100. Never throws.
 int probe_record(const std::filesystem::path& path);
 
 /// Opens a record, or a folder with one: alone, or in the parts that its recorder began anew after some time

@@ -98,12 +98,11 @@ class RecordWriter final : public BagWriter {
   }
 
   std::string index() const {
-    constexpr std::uint32_t kEntry = 1, kKind = 1, kPosition = 2, kOfChannel = 101, kOfChunkHeader = 102,
+    constexpr std::uint32_t kEntry = 1, kKind = 1, kPlace = 2, kOfChannel = 101, kOfChunkHeader = 102,
                             kOfChunkBody = 103;
     ProtoWriter entries;
     const auto add = [&](cyber::Section kind, std::uint64_t position, std::uint32_t field, std::string_view content) {
-      entries.bytes(kEntry,
-                    ProtoWriter().whole(kKind, kind).whole(kPosition, position).bytes(field, content).message());
+      entries.bytes(kEntry, ProtoWriter().whole(kKind, kind).whole(kPlace, position).bytes(field, content).message());
     };
     for (const Channel& channel : channels_)
       add(cyber::kChannel, channel.position, kOfChannel,

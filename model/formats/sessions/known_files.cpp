@@ -125,7 +125,7 @@ std::optional<KnownFile> known_file(const fs::path& path) {
     if (head.starts_with("SQLite format 3")) return kOldDatabase;
     if (is_sbf(head)) return kSbf;
     if (is_rtcm(head)) return kRtcm;
-    for (const char* ending : {".bag", ".mcap", ".db3"})
+    for (const char* ending : {".bag", ".mcap", ".db3", ".record"})
       if (name.ends_with(ending)) return kDamagedBag;
     return known_text(utf8_text(head));
   } catch (const Error&) {

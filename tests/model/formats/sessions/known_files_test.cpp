@@ -41,6 +41,7 @@ TEST(known_files, are_named_and_the_way_to_a_session_is_told) {
       {"zeros.bag", std::string(5000, '\0'), "that does not begin as one"},
       {"other.mcap", "nothing" + rest, "that does not begin as one"},
       {"broken.db3", "SQLite" + rest, "that does not begin as one"},
+      {"broken.record", rest, "that does not begin as one"},
       {"people.sqlite", std::string("SQLite format 3\0", 16) + rest, "SQLite database"},
       {"a.zip", "PK\x03\x04" + rest, "an archive"},
       {"a.kml", "<?xml version=\"1.0\"?><kml xmlns=\"x\"></kml>", "KML"},
