@@ -48,6 +48,7 @@ bool is_no_message(const QString& literal) {
                                  "x y z reflectance ring",
                                  "x y z intensity",
                                  "x y z intensity ring time",
+                                 "x y z intensity timestamp",
                                  "offset_time x y z reflectivity tag line"};
   // '#': a comment in a file. Definitions of messages stand in bags.
   static const QRegularExpression kOther("^(#|PRAGMA |SELECT |\\n|time stamp\\n|std_msgs/Header header\\n)");
