@@ -14,7 +14,8 @@ void take_stated_time(const SampledColumn& column, TableChoices& choices) {
   constexpr std::int64_t kOneSecond_ns = 1'000'000'000;
   if (column.date || column.day || column.clock) {
     choices.time_unit_ns = 0;
-    if (!column.orders.empty()) choices.date_order = column.orders.front();
+    if (!column.orders.empty() && !std::ranges::count(column.orders, choices.date_order))
+      choices.date_order = column.orders.front();
     return;
   }
   if (const auto unit_ns = formats::time_unit_named_ns(stated_by(column)))

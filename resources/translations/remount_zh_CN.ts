@@ -2262,8 +2262,8 @@ The result appears when all of it is done. Esc stops.</source>
         <translation>加到表中的时间上，而不是扫描的时间上。负数使其提前。</translation>
     </message>
     <message>
-        <source>A&amp;dd to its times</source>
-        <translation>时间加上(&amp;D)</translation>
+        <source>Add to its ti&amp;mes</source>
+        <translation>时间加上(&amp;M)</translation>
     </message>
     <message>
         <source>a column is missing: please choose</source>

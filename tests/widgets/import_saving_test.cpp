@@ -124,5 +124,18 @@ TEST_F(import_saving, keeps_what_was_chosen_where_more_is_added) {
   EXPECT_EQ(page()->choice().table->file.filename(), "second.csv");
 }
 
+TEST_F(import_saving, of_a_table_that_was_written_anew_with_other_columns_nothing_is_kept) {
+  open_page();
+  choose(1, ColumnRole::North);
+  ASSERT_TRUE(checked());
+  const guesses::TableChoices chosen = page()->choice().choices;
+  std::string text = text_of(folder_.filePath("motion.csv"));
+  text.replace(0, text.find(','), "other");
+  std::ofstream(folder_.filePath("motion.csv").toStdString()) << text;
+  feature().controller()->look_at({folder_.path()}, {});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page()->choice().table && page()->checks().isEnabled(); }, kPatience_ms));
+  EXPECT_FALSE(page()->choice().choices == chosen);
+}
+
 }  // namespace
 }  // namespace remount::widgets

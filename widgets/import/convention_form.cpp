@@ -100,7 +100,7 @@ void ConventionForm::make_time() {
   offset_s_->setMinimumWidth(60);
   offset_s_->setToolTip(
       tr("Is added to the times of the table, not to those of the scans. A minus makes them earlier."));
-  groups_[Time].form->addRow(tr("A&dd to its times"), offset_s_);
+  groups_[Time].form->addRow(tr("Add to its ti&mes"), offset_s_);
   connect(offset_s_, &QDoubleSpinBox::valueChanged, this, &ConventionForm::read_form);
 }
 

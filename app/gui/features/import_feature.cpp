@@ -26,7 +26,8 @@ ImportFeature::ImportFeature(MainWindow& window) : Feature(window) {
 bool ImportFeature::may_close(const std::function<void()>& again) {
   if (!controller_ || !controller_->saving()) return true;
   constexpr auto kOnce = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
-  connect(controller_, &ImportController::save_ended, this, again, kOnce);
+  disconnect(closing_);  // who tries twice is asked once
+  closing_ = connect(controller_, &ImportController::save_ended, this, again, kOnce);
   return false;
 }
 

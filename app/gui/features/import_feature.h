@@ -25,7 +25,8 @@ class ImportFeature : public Feature {
 
   QPointer<widgets::ImportDialog> dialog_;
   QPointer<ImportController> controller_;
-  QString opening_;  ///< the manifest behind which the page closes
+  QMetaObject::Connection closing_;  ///< what waits for a save to end
+  QString opening_;                  ///< the manifest behind which the page closes
 };
 
 }  // namespace remount::gui

@@ -62,7 +62,7 @@ ApolloHeader read_apollo_header(std::string_view bytes, std::string_view where,
 
 /// Whole seconds and the rest apart, which one product would round.
 std::int64_t ns_from_s(double time_s, const std::string& where) {
-  constexpr double kMost_s = 8e9;
+  constexpr double kMost_s = 4.1e9;  // year 2099: differences of times do not overflow
   if (!(time_s >= 0.0 && time_s <= kMost_s)) throw Error(ErrorCode::Format, where, say::apollo_time_impossible());
   const double whole_s = std::floor(time_s);
   return static_cast<std::int64_t>(whole_s) * kSecond + std::llround((time_s - whole_s) * 1e9);
@@ -149,10 +149,11 @@ void take_cloud_end(const ProtoReader& fields, CloudFrame& frame) {
   if (fields.field() == kCloudHeight) frame.height = fields.whole().value_or(0);
 }
 
+constexpr std::uint32_t kPointTimestamp = 5;
+
 bool has_timestamp(std::string_view point, std::string_view where) {
-  constexpr std::uint32_t kTimestamp = 5;
   for (ProtoReader fields(point, where, ProtoReader::End::Cut); fields.next();)
-    if (fields.field() == kTimestamp && fields.whole().value_or(0) > 0) return true;
+    if (fields.field() == kPointTimestamp && fields.whole().value_or(0) > 0) return true;
   return false;
 }
 
@@ -199,7 +200,8 @@ bool find_cloud_end(std::string_view end, CloudFrame& frame) {
 /// all, where it is of the same moment.
 MessageHeader header_of(const CloudFrame& frame, const std::string& where) {
   constexpr std::int64_t kSame = 1'000'000;
-  std::string_view name = frame.frame.empty() ? frame.header.frame : frame.frame;
+  // Transforms are looked up by that of the header; who fuses clouds leaves the other as it was.
+  std::string_view name = frame.header.frame.empty() ? frame.frame : frame.header.frame;
   while (name.starts_with('/')) name.remove_prefix(1);
   MessageHeader header{0, std::string(name)};
   const auto lidar_ns = static_cast<std::int64_t>(
@@ -223,8 +225,15 @@ std::size_t possible_points(std::string_view bytes, const std::string& where) {
   return points;
 }
 
+/// The stamp as the points count: where the time of measurement counts from the beginning of GPS time, they do as well.
+std::int64_t stamp_of_points_ns(const CloudFrame& frame, std::int64_t stamp_ns, const std::string& where) {
+  if (!(frame.measured_s > 0.0)) return stamp_ns;
+  const std::int64_t counted = ns_from_s(frame.measured_s, where);
+  return stamp_ns + counted - measured_ns(frame.measured_s, frame.header.published_s, where);
+}
+
 formats::RawPoint read_point(std::string_view bytes, const std::string& where, std::int64_t stamp_ns) {
-  constexpr std::uint32_t kX = 1, kY = 2, kZ = 3, kIntensity = 4, kTimestamp = 5;
+  constexpr std::uint32_t kX = 1, kY = 2, kZ = 3, kIntensity = 4;
   formats::RawPoint point{kNotThere, kNotThere, kNotThere};
   std::uint64_t time_ns = 0;
   for (ProtoReader fields(bytes, where); fields.next();) {
@@ -232,7 +241,7 @@ formats::RawPoint read_point(std::string_view bytes, const std::string& where, s
     if (fields.field() == kY) take_real(fields, point.y);
     if (fields.field() == kZ) take_real(fields, point.z);
     if (fields.field() == kIntensity) point.intensity = static_cast<double>(fields.whole().value_or(0));
-    if (fields.field() == kTimestamp) time_ns = fields.whole().value_or(0);
+    if (fields.field() == kPointTimestamp) time_ns = fields.whole().value_or(0);
   }
   // As whole numbers: of nanoseconds since 1970 a double has but every 256th.
   point.time = 1e-9 * static_cast<double>(static_cast<std::int64_t>(time_ns - static_cast<std::uint64_t>(stamp_ns)));
@@ -357,14 +366,16 @@ bool is_of_fusion(std::string_view channel) {
 
 formats::ReadCloud read_apollo_cloud(MessageReader& reader, std::int64_t stamp_ns, formats::PointTimes times) {
   const std::string_view bytes = proto_bytes(reader);
-  const bool timed = read_cloud_frame(bytes, reader.where(), ProtoReader::End::Whole).timed;
+  const CloudFrame frame = read_cloud_frame(bytes, reader.where(), ProtoReader::End::Whole);
+  const bool timed = frame.timed;
+  const std::int64_t of_points_ns = stamp_of_points_ns(frame, stamp_ns, reader.where());
   formats::CloudColumns columns;
   columns.x = columns.y = columns.z = columns.intensity = 0;
   columns.time = timed ? 0 : -1;
   formats::CloudBuilder builder(columns, {formats::ScalarType::F64, 1.0}, possible_points(bytes, reader.where()));
   for (ProtoReader fields(bytes, reader.where()); fields.next();)
     if (fields.field() == kCloudPoint && fields.bytes())
-      builder.add(read_point(*fields.bytes(), reader.where(), stamp_ns));
+      builder.add(read_point(*fields.bytes(), reader.where(), of_points_ns));
   formats::ReadCloud read = builder.finish(stamp_ns, reader.where(), times);
   read.columns = timed ? "x y z intensity timestamp" : "x y z intensity";
   return read;

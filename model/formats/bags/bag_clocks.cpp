@@ -81,6 +81,7 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
   const std::int64_t poses = shift_ns(s.ins_poses.clock, lidar), inspvax = shift_ns(s.inspvax.clock, lidar),
                      device = shift_ns(s.attitude.clock, lidar), gnss = shift_ns(s.gnss.clock, lidar),
                      imu = shift_ns(s.imu.clock, lidar);
+  s.ins_moved_ns = poses + inspvax + device;  // one of these at most is there
   for (motion::StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
   for (InspvaxStream* stream : {&s.inspvax, &s.inspvax_beside})
     for (InspvaxMessage& message : stream->messages) message.sample.stamp_ns += inspvax;

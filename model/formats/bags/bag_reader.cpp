@@ -236,8 +236,11 @@ void complete(const std::shared_ptr<const BagFile>& bag, const ChosenTopics& cho
                                                   is_apollo_pose(message_kind(bag->topics()[*roles.ins].type)));
   if (roles.lidar) session.lidar_name = bag->topics()[*roles.lidar].name;
   add_ins(*bag, chosen, streams, session);
-  if (!roles.gnss && !session.topic_choice.contains("gnss"))
+  if (!roles.gnss && !session.topic_choice.contains("gnss")) {
     formats::take_receiver(streams.receiver, bag->files().front().string() + ": " + session.lidar_name, session);
+    // The sentences have the time of GNSS, as the INS has.
+    for (motion::GnssFix& fix : session.gnss) fix.stamp_ns += streams.ins_moved_ns;
+  }
   add_nominal(*bag, roles, streams, frame, session);
   add_lidar(bag, roles, streams, session);
 }

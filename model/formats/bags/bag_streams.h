@@ -55,6 +55,7 @@ struct BagStreams {
   ScanStream scans;
   std::unique_ptr<PacketStream> packets;  ///< of which scans are to be made, where the LiDAR has these
   formats::SensorReceiver receiver;       ///< that such a LiDAR hangs on
+  std::int64_t ins_moved_ns = 0;          ///< onto the LiDAR's clock: so is what has the INS's clock and no topic
   PoseStream lidar_poses;
   PoseStream ins_poses;
   InspvaxStream inspvax;         ///< or INSPVA, or the whole solution of another make

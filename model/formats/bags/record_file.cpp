@@ -26,7 +26,7 @@ constexpr std::uint64_t kSectionsBegin = cyber::kSectionHead + cyber::kHeaderRoo
 constexpr std::uint64_t kHeadOfChannel = std::uint64_t{8} << 10;
 /// Of a message: its channel and time. Names are shorter.
 constexpr std::uint64_t kHeadOfMessage = 1024;
-/// Nothing that is measured: messages of these types would be read as something else.
+/// With what the types begin that are Apollo's: others are never read.
 constexpr std::string_view kKnownTypes = "apollo.";
 
 struct SectionHead {
@@ -102,12 +102,19 @@ RecordPart part_of(const fs::path& path) {
   return {name.substr(0, dot), std::stoull(digits), path};
 }
 
+bool has_part_of(const std::string& recording, const std::vector<RecordPart>& parts) {
+  return std::ranges::any_of(parts, [&](const RecordPart& part) { return part.number && part.recording == recording; });
+}
+
 /// By names first: a folder may have a hundred thousand scans, which nobody wants to be opened for this.
+/// A part that is no record, of a recording that has others, is one that is damaged: opening it says how.
 std::vector<RecordPart> parts_in(const fs::path& folder) {
-  std::vector<RecordPart> parts;
+  std::vector<RecordPart> parts, others;
   for (const fs::path& file : formats::files_in(folder))
-    if (file.filename().string().find(".record") != std::string::npos && is_record(file))
-      parts.push_back(part_of(file));
+    if (file.filename().string().find(".record") != std::string::npos)
+      (is_record(file) ? parts : others).push_back(part_of(file));
+  for (RecordPart& other : others)
+    if (other.number && has_part_of(other.recording, parts)) parts.push_back(std::move(other));
   std::ranges::stable_sort(parts, [](const RecordPart& a, const RecordPart& b) {
     return std::tie(a.recording, a.number, a.path) < std::tie(b.recording, b.number, b.path);
   });
@@ -116,7 +123,7 @@ std::vector<RecordPart> parts_in(const fs::path& folder) {
 
 bool are_of_one(const std::vector<RecordPart>& parts) {
   return std::ranges::adjacent_find(parts, [](const RecordPart& a, const RecordPart& b) {
-           return a.recording != b.recording || !a.number || !b.number;
+           return a.recording != b.recording || !a.number || !b.number || a.number == b.number;
          }) == parts.end();
 }
 

@@ -9,6 +9,7 @@
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/random_access_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/ins/novatel_csv.h"
 #include "model/formats/ins/novatel_survey.h"
@@ -211,22 +212,37 @@ std::optional<NovatelFormat> recognise_novatel(const fs::path& path) {
   return std::nullopt;
 }
 
-bool holds_raw_imu_alone(const fs::path& path) {
-  bool any = false;
-  try {
-    const std::string head = read_file_head(path, kNovatelHeadBytes);
-    const std::string bytes = holds_binary_sync(head) ? head : utf8_text(head);
-    NovatelScanner scanner(bytes);
-    for (NovatelFrame frame; scanner.next(frame);) {
-      if (!frame.problem.empty() || frame.type == nullptr) continue;
-      const NovatelUse use = frame.type->use;
-      if (use == NovatelUse::Inspvax || use == NovatelUse::Inspva || use == NovatelUse::Bestpos) return false;
-      any = any || use == NovatelUse::RawImu;
-    }
-  } catch (const Error&) {
-    return false;  // not readable: not known
+namespace {
+
+/// What a part of a log tells: a motion, or raw measurements of an IMU.
+struct NovatelHoldings {
+  bool motion = false, raw_imu = false;
+};
+
+NovatelHoldings holdings_of(const std::string& part) {
+  NovatelHoldings holds;
+  const std::string bytes = holds_binary_sync(part) ? part : utf8_text(part);
+  NovatelScanner scanner(bytes);
+  for (NovatelFrame frame; !holds.motion && scanner.next(frame);) {
+    if (!frame.problem.empty() || frame.type == nullptr) continue;
+    const NovatelUse use = frame.type->use;
+    holds.motion = use == NovatelUse::Inspvax || use == NovatelUse::Inspva || use == NovatelUse::Bestpos;
+    holds.raw_imu = holds.raw_imu || use == NovatelUse::RawImu;
   }
-  return any;
+  return holds;
+}
+
+}  // namespace
+
+bool holds_raw_imu_alone(const fs::path& path) try {
+  const NovatelHoldings first = holdings_of(read_file_head(path, kNovatelHeadBytes));
+  if (first.motion || !first.raw_imu) return false;
+  // A solution begins where the INS is aligned: the end of the log has it.
+  const RandomAccessFile file(path);
+  const std::uint64_t bytes = std::min<std::uint64_t>(file.size(), kNovatelHeadBytes);
+  return !holdings_of(file.read(file.size() - bytes, bytes)).motion;
+} catch (const Error&) {
+  return false;  // not readable: not known
 }
 
 NovatelLog read_novatel_log(const fs::path& path, NovatelFormat format, bool fixes_alone) {

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <limits>
 #include <utility>
 
 #include "messages/captures.h"
@@ -81,7 +82,7 @@ void pack_packet(NumberPacker& packer, const IndexedPacket& packet, PacketBefore
 
 /// Decoders and captures tell no others, so that times can be subtracted from each other.
 std::int64_t unpack_time_ns(NumberUnpacker& unpacker, std::int64_t before_ns) {
-  constexpr std::int64_t kMost_ns = 4'600'000'000'000'000'000, kLeast_ns = -1'000'000'000'000'000;
+  constexpr std::int64_t kMost_ns = std::numeric_limits<std::int64_t>::max() / 2, kLeast_ns = -1'000'000'000'000'000;
   const auto time_ns = static_cast<std::int64_t>(unpacker.step(unsigned_of(before_ns)));
   if (time_ns < kLeast_ns || time_ns > kMost_ns) unpacker.fail();
   return time_ns;

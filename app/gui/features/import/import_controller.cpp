@@ -37,6 +37,12 @@ Checked check_all(const guesses::ImportData& data, const guesses::ImportChoice& 
   return checked;
 }
 
+std::vector<std::string> titles_of(const guesses::SampledTable& table) {
+  std::vector<std::string> titles;
+  for (const guesses::SampledColumn& column : table.columns) titles.push_back(column.title);
+  return titles;
+}
+
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   return a == b || fs::equivalent(a, b, error);
@@ -141,13 +147,14 @@ void ImportController::keep_choices() {
   kept_table_ = choice.table;
   if (choice.table) {
     kept_.erase(choice.table->file);
-    if (choice.choices != choice.table->preset) kept_[choice.table->file] = choice.choices;
+    if (choice.choices != choice.table->preset)
+      kept_[choice.table->file] = {choice.choices, titles_of(choice.table->table)};
   }
   kept_left_out_.clear();
   for (const std::size_t lidar : choice.left_out) kept_left_out_.insert(data_->description.lidars.at(lidar).directory);
 }
 
-/// Where the table in the dialog still has as many columns.
+/// Where the table in the dialog still has the same columns.
 void ImportController::put_kept_back() {
   std::set<std::size_t> left_out;
   const std::vector<guesses::ScansGuess>& lidars = data_->description.lidars;
@@ -157,7 +164,8 @@ void ImportController::put_kept_back() {
   const guesses::ImportChoice choice = dialog_.choice();
   if (!choice.table) return;
   const auto kept = kept_.find(choice.table->file);
-  if (kept != kept_.end() && kept->second.roles.size() == choice.choices.roles.size()) dialog_.choose(kept->second);
+  if (kept != kept_.end() && kept->second.titles == titles_of(choice.table->table))
+    dialog_.choose(kept->second.choices);
 }
 
 void ImportController::look_at(const QStringList& paths, const QStringList& meant) {

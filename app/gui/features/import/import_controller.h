@@ -80,7 +80,12 @@ class ImportController : public QObject {
   int edits_ = 0;
   QTimer until_check_;
   // What was chosen before files were looked at anew, or another table was read.
-  std::map<std::filesystem::path, guesses::TableChoices> kept_;
+  /// What was chosen of a table, for columns of these titles.
+  struct KeptChoices {
+    guesses::TableChoices choices;
+    std::vector<std::string> titles;
+  };
+  std::map<std::filesystem::path, KeptChoices> kept_;
   std::set<std::filesystem::path> kept_left_out_;
   std::optional<guesses::ImportTable> kept_table_;
 };

@@ -177,10 +177,32 @@ TEST(apollo_messages, points_that_are_none_are_counted_and_those_without_times_h
             (std::vector<float>{-0.09f, 0.0f}));
 }
 
+TEST(apollo_messages, points_that_count_as_gps_does_are_of_the_stamp_all_the_same) {
+  constexpr std::int64_t kGpsBehind_ns = 315'964'782'000'000'000;  // 18 leap seconds
+  const std::int64_t stamp_ns = 1'600'000'000'250'000'000;
+  ProtoWriter message;
+  message.bytes(1, real_header(1'600'000'000.3));
+  for (const std::int64_t before_ns : {90'000'000, 45'000'000, 0})
+    message.bytes(4, ProtoWriter()
+                         .narrow(1, 1.0f)
+                         .narrow(2, 2.0f)
+                         .narrow(3, 3.0f)
+                         .whole(5, static_cast<std::uint64_t>(stamp_ns - kGpsBehind_ns - before_ns))
+                         .message());
+  message.real(5, 1e-9 * static_cast<double>(stamp_ns - kGpsBehind_ns));
+  MessageReader whole = of_proto(message.message()), reader = of_proto(message.message());
+  EXPECT_NEAR(static_cast<double>(read_apollo_scan_header(whole).stamp_ns - stamp_ns), 0.0, 240.0);
+  const formats::ReadCloud read = read_cloud(reader, MessageKind::ApolloCloud, stamp_ns);
+  EXPECT_FALSE(read.points_have_another_clock);
+  ASSERT_EQ(read.cloud.time_from_stamp_s.size(), 3U);
+  EXPECT_NEAR(read.cloud.time_from_stamp_s[0], -0.09f, 1e-6f);
+  EXPECT_NEAR(read.cloud.time_from_stamp_s[2], 0.0f, 1e-6f);
+}
+
 // The stamp is read of a few bytes at either end, whatever they hold.
 TEST(apollo_messages, the_stamp_behind_the_points_is_found_without_them) {
   std::size_t found = 0, tried = 0;
-  for (int points = 0; points < 400; points += 3, ++tried) {
+  for (int points = 0; points < 400; points += points < 3 ? 1 : 3, ++tried) {
     const std::int64_t stamp_ns = kStart_ns + std::int64_t{points} * 7'654'321;
     const std::string bytes = apollo_cloud_message(apollo_turn(points), stamp_ns, "velodyne128"),
                       head = bytes.substr(0, 512),
@@ -191,7 +213,7 @@ TEST(apollo_messages, the_stamp_behind_the_points_is_found_without_them) {
     found += header->stamp_ns == read_apollo_scan_header(whole).stamp_ns;
     const CloudOutline outline = read_apollo_outline(outlined, end);
     EXPECT_EQ(outline.points, static_cast<std::uint64_t>(points));
-    EXPECT_EQ(outline.timed, points > 1) << "the first is of the stamp";
+    EXPECT_EQ(outline.timed, points > 0);
   }
   EXPECT_EQ(found, tried);
   // Of a message without such an end it is not.

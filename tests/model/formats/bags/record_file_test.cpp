@@ -179,6 +179,18 @@ TEST_F(record_file, in_parts_is_one_in_their_order) {
   EXPECT_EQ(message_count(*broken), 60U);
   EXPECT_TRUE(find(*broken, "record-part-unreadable"));
 
+  // Of a disk that was full, and of one that was not written to the end.
+  for (const std::string& bytes : {std::string(), std::string(5000, '\0')}) {
+    write("drive.record.00010", bytes);
+    const auto headless = opened_record(folder_.path());
+    EXPECT_EQ(message_count(*headless), 60U);
+    EXPECT_TRUE(find(*headless, "record-part-unreadable")) << bytes.size();
+    EXPECT_FALSE(find(*headless, "record-part-missing"));
+  }
+  write_part("drive.record.9", 0, 30);
+  EXPECT_EQ(probe_record(folder_.path()), 25) << "two say that they are the ninth";
+  fs::remove(folder_.path() / "drive.record.9");
+
   write_part("other.record.00000", 0, 30);
   EXPECT_EQ(probe_record(folder_.path()), 25);
   EXPECT_THROW(opened_record(folder_.path()), formats::SeveralSessions);
