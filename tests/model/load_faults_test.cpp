@@ -90,7 +90,9 @@ TEST_P(load_faults, no_call_that_fails_makes_a_session_smaller_without_a_word) {
   std::mt19937 dice(20);
   int errors = 0;
   for (int i = 0; i < kRuns && !HasFailure(); ++i) {
-    const Fault fault{1 + dice() % calls, Fault::Kind::Error, kErrors[dice() % kErrors.size()]};
+    // Most calls are those of readers that find out whether a drive is theirs: it is read by the last.
+    const std::size_t before = i % 2 == 0 ? 0 : 3 * calls / 4;
+    const Fault fault{before + 1 + dice() % (calls - before), Fault::Kind::Error, kErrors[dice() % kErrors.size()]};
     const TracedRun run = run_with(fault);
     EXPECT_NE(run.said.rfind("silently", 0), 0U) << told(run, fault);
     if (run.exit_code == 0) continue;
@@ -102,6 +104,7 @@ TEST_P(load_faults, no_call_that_fails_makes_a_session_smaller_without_a_word) {
                 formats::contains(run.said, "is no session ") || formats::contains(run.said, "holds no "))
         << told(run, fault);
   }
+  std::printf("%d of %d runs with a fault in one of %zu calls were refused\n", errors, kRuns, calls);
   EXPECT_GT(errors, 5) << "of " << kRuns << " runs with a fault in one of " << calls << " calls";
 }
 
