@@ -34,19 +34,27 @@ struct KnownOffset {
   std::int64_t added_ns = 0;  ///< to the times of the INS, as `offset_s` of a manifest is
   Message cause;
 };
-constexpr std::size_t kOffsetsOfScales = 6;  ///< of known_offsets those by a few seconds
+
+void add_both_ways(std::int64_t size_ns, const Message& cause, std::vector<KnownOffset>& offsets) {
+  for (const std::int64_t sign : {1, -1}) offsets.push_back({sign * size_ns, cause});
+}
+
+/// The differences between UTC, GPS and TAI.
+std::vector<KnownOffset> offsets_of_scales(const conventions::TimeSpan& ins) {
+  constexpr std::int64_t kTaiBeforeGps_ns = 19 * kSecond_ns;
+  const std::int64_t leap_ns = leap_seconds_ns(ins);
+  std::vector<KnownOffset> offsets;
+  add_both_ways(leap_ns, say::guess_offset_leap(), offsets);
+  add_both_ways(kTaiBeforeGps_ns, say::guess_offset_tai(), offsets);
+  add_both_ways(kTaiBeforeGps_ns + leap_ns, say::guess_offset_tai(), offsets);
+  return offsets;
+}
 
 /// The usual differences, from the likeliest on.
 std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& ins) {
   const std::int64_t leap_ns = leap_seconds_ns(ins);
-  std::vector<KnownOffset> offsets;
-  const auto both_ways = [&](std::int64_t size_ns, const Message& cause) {
-    for (const std::int64_t sign : {1, -1}) offsets.push_back({sign * size_ns, cause});
-  };
-  both_ways(leap_ns, say::guess_offset_leap());
-  constexpr std::int64_t kTaiBeforeGps_ns = 19 * kSecond_ns;
-  both_ways(kTaiBeforeGps_ns, say::guess_offset_tai());
-  both_ways(kTaiBeforeGps_ns + leap_ns, say::guess_offset_tai());
+  std::vector<KnownOffset> offsets = offsets_of_scales(ins);
+  const auto both_ways = [&](std::int64_t size_ns, const Message& cause) { add_both_ways(size_ns, cause, offsets); };
   both_ways(formats::kGpsEpoch_ns - leap_ns, say::guess_offset_epoch());
   both_ways(formats::kGpsEpoch_ns, say::guess_offset_epoch());
   both_ways(1024 * formats::kGpsWeek_ns, say::guess_offset_rollover());
@@ -69,8 +77,7 @@ void tell_nearest_of_scales(const conventions::TimeSpan& scans, const convention
                             const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
   const double apart_ns =
       0.5 * (static_cast<double>(scans.first_ns - ins.first_ns) + static_cast<double>(scans.last_ns - ins.last_ns));
-  std::vector<KnownOffset> offsets = known_offsets(ins);
-  offsets.resize(kOffsetsOfScales);
+  const std::vector<KnownOffset> offsets = offsets_of_scales(ins);
   const KnownOffset& nearest = *std::ranges::min_element(offsets, {}, [&](const KnownOffset& offset) {
     return std::abs(static_cast<double>(offset.added_ns) - apart_ns);
   });

@@ -24,6 +24,9 @@ void take_stated_time(const SampledColumn& column, TableChoices& choices) {
     choices.time_unit_ns = kOneSecond_ns;
 }
 
+/// Not "NED", which is a remark; "km/h" is one of a known unit.
+bool states_unit(const std::string& stated) { return is_unit(stated.substr(0, stated.find('/'))); }
+
 /// "rad"; empty where the role has none, or a date has.
 std::string unit_read(const TableChoices& choices, ColumnRole role) {
   const auto angle = [](bool in_deg) { return std::string(in_deg ? "deg" : "rad"); };
@@ -49,7 +52,7 @@ std::vector<OtherUnit> other_units(const SampledTable& table, const TableChoices
   std::vector<OtherUnit> others;
   for (std::size_t i = 0; i < std::min(choices.roles.size(), table.columns.size()); ++i) {
     std::string stated = stated_by(table.columns[i]), read = unit_read(choices, choices.roles[i]);
-    if (!stated.empty() && !read.empty() && stated != read)
+    if (states_unit(stated) && !read.empty() && stated != read)
       others.push_back({i, choices.roles[i], std::move(stated), std::move(read)});
   }
   return others;

@@ -124,6 +124,30 @@ TEST_F(import_saving, keeps_what_was_chosen_where_more_is_added) {
   EXPECT_EQ(page()->choice().table->file.filename(), "second.csv");
 }
 
+TEST_F(import_saving, stays_open_over_what_was_changed_since) {
+  open_page();
+  guesses::TableChoices changed = page()->choice().choices;
+  changed.offset_ns = 5;
+  QObject::connect(feature().controller(), &gui::ImportController::saved, this_, [&] { page()->choose(changed); });
+  button(*page(), "Save and open").click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.sessions().empty(); }, kPatience_ms));
+  QTest::qWait(100);
+  ASSERT_TRUE(page());
+  EXPECT_TRUE(page()->choice().choices == changed);
+}
+
+TEST_F(import_saving, keeps_what_was_chosen_of_a_table_while_a_log_is_looked_at) {
+  open_page();
+  choose(1, ColumnRole::North);
+  ASSERT_TRUE(checked());
+  const guesses::TableChoices chosen = page()->choice().choices;
+  emit page()->log_chosen();
+  EXPECT_FALSE(page()->choice().table);
+  emit page()->table_requested(folder_.filePath("motion.csv"));
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page()->choice().choices == chosen);
+}
+
 TEST_F(import_saving, of_a_table_that_was_written_anew_with_other_columns_nothing_is_kept) {
   open_page();
   choose(1, ColumnRole::North);

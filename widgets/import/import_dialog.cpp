@@ -242,9 +242,7 @@ void ImportDialog::check_lidar(std::size_t lidar, bool used) {
 void ImportDialog::choose_motion(const QString& file) {
   if (std::ranges::find(data_->tables, fs::path(file.toStdString())) != data_->tables.end())
     return emit table_requested(file);
-  show_no_table();
-  show_state();
-  emit edited();
+  emit log_chosen();
 }
 
 void ImportDialog::show_checking() {

@@ -29,6 +29,7 @@ class ImportDialog : public QDialog {
   void show_problem(const QString& what);   ///< nothing could be looked at
   void show_data(std::shared_ptr<const guesses::ImportData> found);
   void show_table(const guesses::ImportTable& table);  ///< another of the tables
+  void show_no_table();                                ///< the log that was found
   void show_checking();
   void show_checks(const guesses::ImportChecks& checks, const std::vector<Message>& missing);
   void show_note(const QString& text);  ///< above the buttons, until something is changed
@@ -50,6 +51,7 @@ class ImportDialog : public QDialog {
  signals:
   void edited();  ///< choice() is another
   void table_requested(const QString& file);
+  void log_chosen();        ///< that was found for the motion, which has no columns
   void folder_requested();  ///< to look at more
   void files_requested();
   void save_requested();
@@ -63,7 +65,6 @@ class ImportDialog : public QDialog {
   void show_files();
   void check_lidar(std::size_t lidar, bool used);
   void choose_motion(const QString& file);
-  void show_no_table();
   void show_state();
 
   std::shared_ptr<const guesses::ImportData> data_;

@@ -45,7 +45,11 @@ void DriveMap::paint_track(QPainter& painter) const {
   painter.setBrush(palette().color(QPalette::Text));
   painter.drawEllipse(on_screen(drive_->track_m.front()), 4.0, 4.0);
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(on_screen(drive_->track_m.front()) + QPointF(-4, 18), tr("start"));
+  // Below it, but above the scale.
+  const QPointF begin = on_screen(drive_->track_m.front());
+  constexpr double kScaleHeight = 34.0;
+  const double below = begin.y() + 18 > height() - kScaleHeight ? -8 : 18;
+  painter.drawText(begin + QPointF(-4, below), tr("start"));
 }
 
 void DriveMap::paint_link(QPainter& painter, const Link& link) const {

@@ -19,7 +19,7 @@ ImportFeature::ImportFeature(MainWindow& window) : Feature(window) {
   connect(&workbench_.sessions(), &SessionList::session_opened, this, [this](const QString& path) {
     if (opening_.isEmpty() || QFileInfo(path) != QFileInfo(opening_)) return;
     opening_.clear();
-    if (dialog_) dialog_->close();
+    if (dialog_ && controller_->is_saved()) dialog_->close();  // not over what was changed since
   });
 }
 

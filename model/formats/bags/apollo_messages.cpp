@@ -121,11 +121,13 @@ RigidTransform checked_rigid(const Eigen::Vector3d& position_m, const Eigen::Vec
 
 // ---- Fixes
 
-/// As NavSatFix has it. NovAtel's numbers: 48 to 51 and 56 have whole ambiguities, 16 and 53 no corrections.
+/// As NavSatFix has it. NovAtel's numbers: 48 to 51 and 56 have whole ambiguities; what is set by hand (1, 2), found by
+/// Doppler shifts (8), alone (16, 53) or carried on (19) has no corrections.
 int status_of_fix(std::uint64_t solution, std::uint64_t type) {
+  constexpr std::uint64_t kWithoutCorrections[] = {1, 2, 8, 16, 19, 53};
   if (solution != 0 || type == 0) return -1;
   if ((type >= 48 && type <= 51) || type == 56) return 2;
-  return type == 16 || type == 53 ? 0 : 1;
+  return std::ranges::count(kWithoutCorrections, type) ? 0 : 1;
 }
 
 // ---- Clouds
@@ -187,7 +189,10 @@ bool find_cloud_end(std::string_view end, CloudFrame& frame) {
       }
       const double published_s = frame.header.published_s;
       if (!fits || !(found.measured_s > 0.0)) continue;
-      if (published_s > 0.0 && !(std::abs(found.measured_s - published_s) < kFarApart_s)) continue;
+      const auto far = [&](double epoch_s) {
+        return !(std::abs(found.measured_s + epoch_s - published_s) < kFarApart_s);
+      };
+      if (published_s > 0.0 && far(0.0) && far(1e-9 * static_cast<double>(formats::kGpsEpoch_ns))) continue;
       frame.measured_s = found.measured_s, frame.width = found.width, frame.height = found.height;
       return true;
     } catch (const Error&) {
@@ -295,6 +300,7 @@ FixMessage read_apollo_fix(MessageReader& reader) {
   message.latitude_rad = degrees_to_radians(latitude_deg), message.longitude_rad = degrees_to_radians(longitude_deg);
   message.height_m = height_m + undulation_m;
   message.status = status_of_fix(solution, type);
+  message.position_type = std::to_string(type);
   if (sigma_enu_m.allFinite() && sigma_enu_m.minCoeff() > 0.0 && !drive::means_not_known(sigma_enu_m.maxCoeff()))
     message.covariance_enu_m2 = Eigen::Matrix3d(sigma_enu_m.cwiseAbs2().asDiagonal());
   if (message.status >= 0 && !drive::plausible_geodetic(message.latitude_rad, message.longitude_rad, message.height_m))

@@ -39,9 +39,16 @@ constexpr PositionType kPositionTypes[] = {
     {"74", "INS_PPP", kFloat},
 };
 
+CorrectionStatus status_of_type(const std::string& position_type) {
+  for (const PositionType& type : kPositionTypes)
+    if (type.number == position_type || type.name == position_type) return {type.level, std::string(type.name)};
+  return {kPosition, position_type};
+}
+
 }  // namespace
 
 CorrectionStatus correction_status(const FixMessage& fix) {
+  if (!fix.position_type.empty()) return status_of_type(fix.position_type);
   switch (fix.status) {
     case 0:
       return {kPosition, "STATUS_FIX"};
@@ -54,12 +61,7 @@ CorrectionStatus correction_status(const FixMessage& fix) {
   }
 }
 
-CorrectionStatus correction_status(const InspvaxMessage& message) {
-  for (const PositionType& type : kPositionTypes)
-    if (type.number == message.position_type || type.name == message.position_type)
-      return {type.level, std::string(type.name)};
-  return {kPosition, message.position_type};
-}
+CorrectionStatus correction_status(const InspvaxMessage& message) { return status_of_type(message.position_type); }
 
 void report_lost_corrections(std::vector<CorrectionStatus> positions, const std::string& where,
                              std::vector<drive::Finding>& findings) {

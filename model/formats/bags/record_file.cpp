@@ -306,11 +306,12 @@ void RecordFile::index_chunk(const Span& body, Progress& progress) {
     if (entry_count() % 1024 == 0) progress.report(say::stage_reading_the_index, offset >> 20, file_.size() >> 20);
     if (progress.cancelled()) return;
     std::uint64_t next = body.end;
+    bool next_known = false;
     try {
       // Where the next begins is known even where this one cannot be read.
       ProtoReader frame(window.at(offset, body.end, kHeadOfMessage), {}, ProtoReader::End::Cut);
       if (frame.next() && frame.bytes() && frame.length() <= body.end - offset - frame.begins())
-        next = offset + frame.begins() + frame.length();
+        next = offset + frame.begins() + frame.length(), next_known = true;
       const Head head = read_head(window, offset, body.end);
       BagEntry entry;
       entry.log_time_ns = head.time_ns;
@@ -324,9 +325,12 @@ void RecordFile::index_chunk(const Span& body, Progress& progress) {
         return;
       }
       if (damaged_++ == 0) first_damage_ = error.message();
+      rests_lost_ += next_known ? 0 : 1;
     }
     offset = next;
   }
+  // Of a chunk that was cut behind a message nothing is left out.
+  if (body.end == file_.size()) cut_at_ = body.end;
 }
 
 void RecordFile::report() {
@@ -344,9 +348,11 @@ void RecordFile::report() {
     tell(say::record_not_closed(entry_count()));
   else if (entry_count() + damaged_ < promised_)
     tell(say::record_promises(promised_, entry_count()));
-  if (damaged_ > 0)
-    findings_.push_back(drive::make_finding(drive::Severity::Warning, "record-damaged", files_[0].string(),
-                                            say::record_messages_damaged(damaged_, first_damage_)));
+  if (damaged_ == 0) return;
+  const Message damaged = say::record_messages_damaged(damaged_, first_damage_);
+  findings_.push_back(drive::make_finding(
+      drive::Severity::Warning, "record-damaged", files_[0].string(),
+      rests_lost_ > 0 ? Message::sequence({damaged, say::record_rests_lost(rests_lost_)}) : damaged));
 }
 
 RecordFile::Span RecordFile::content_of(const BagEntry& entry) const {

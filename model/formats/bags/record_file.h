@@ -60,8 +60,9 @@ class RecordFile final : public BagFile {
   std::vector<Span> chunks_;    ///< their bodies
   std::uint64_t promised_ = 0;  ///< messages
   bool closed_ = false;
-  std::uint64_t cut_at_ = 0;  ///< where what is readable ends
-  std::size_t damaged_ = 0;   ///< messages
+  std::uint64_t cut_at_ = 0;    ///< where what is readable ends
+  std::size_t damaged_ = 0;     ///< messages
+  std::size_t rests_lost_ = 0;  ///< of those, behind which the rest of the chunk is lost as well
   Message first_damage_;
 };
 

@@ -82,6 +82,8 @@ ImuMessage read_imu(MessageReader& reader);
 struct FixMessage {
   MessageHeader header;
   int status = 0;  ///< -1 no fix, 0 fix, 1 with satellite-based, 2 with ground-based augmentation
+  /// NovAtel's number of how it was found, which tells more than the status; empty where the message has none.
+  std::string position_type{};
   double latitude_rad = 0.0, longitude_rad = 0.0;
   double height_m = 0.0;                             ///< above the ellipsoid
   std::optional<Eigen::Matrix3d> covariance_enu_m2;  ///< nothing: not known

@@ -106,7 +106,7 @@ class Chooser {
     if (candidate.kind != MessageKind::ApolloCloud) return fit_lidar(candidate, steady);
     const bool raw_beside = std::ranges::any_of(candidates_, [&](const TopicCandidate& other) {
       return other.kind == MessageKind::ApolloCloud && !other.compensated && other.frame == candidate.frame &&
-             !is_of_fusion(name(other));
+             !is_of_fusion(name(other)) && is_steady(other.messages, candidate.messages);
     });
     return fit_cloud_of_apollo(candidate, name(candidate), raw_beside, fit_lidar(candidate, steady));
   }

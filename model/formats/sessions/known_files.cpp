@@ -125,8 +125,10 @@ std::optional<KnownFile> known_file(const fs::path& path) {
     if (head.starts_with("SQLite format 3")) return kOldDatabase;
     if (is_sbf(head)) return kSbf;
     if (is_rtcm(head)) return kRtcm;
+    // Parts of a record have a number behind.
+    const std::string unnumbered = name.substr(0, name.find_last_not_of(".0123456789") + 1);
     for (const char* ending : {".bag", ".mcap", ".db3", ".record"})
-      if (name.ends_with(ending)) return kDamagedBag;
+      if (name.ends_with(ending) || unnumbered.ends_with(ending)) return kDamagedBag;
     return known_text(utf8_text(head));
   } catch (const Error&) {
   } catch (const fs::filesystem_error&) {

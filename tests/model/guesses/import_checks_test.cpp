@@ -129,7 +129,7 @@ TEST_F(import_checks, fixes_that_are_held_for_several_rows_are_no_faster) {
 TEST_F(import_checks, columns_that_are_chosen_by_hand_are_read_in_the_units_of_their_titles) {
   const formats::TemporaryFolder folder;
   write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
-  write_rows(folder.path() / "motion.csv", "when (ms),p [rad],q [rad],r (m),a(rad),b(rad),c(rad),speed (km/h)\n",
+  write_rows(folder.path() / "motion.csv", "when (ms),p [rad],q [rad],r [local],a(rad),b(rad),c(rad),speed (km/h)\n",
              [](std::size_t, const WrittenSample& sample) {
                const drive::AttitudeAngles angles = heading_angles(sample);
                return Fields{std::to_string(sample.ins.stamp_ns / 1'000'000),

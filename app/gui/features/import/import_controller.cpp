@@ -91,6 +91,7 @@ ImportController::ImportController(Workbench& workbench, widgets::ImportDialog& 
   until_check_.setInterval(kUntilCheck_ms);
   connect(&until_check_, &QTimer::timeout, this, &ImportController::check);
   connect(&dialog, &ImportDialog::edited, this, &ImportController::check_soon);
+  connect(&dialog, &ImportDialog::log_chosen, this, &ImportController::take_log);
   connect(&dialog, &ImportDialog::table_requested, this, &ImportController::take_table);
   connect(&dialog, &ImportDialog::folder_requested, this, &ImportController::ask_for_folder);
   connect(&dialog, &ImportDialog::files_requested, this, &ImportController::ask_for_files);
@@ -247,6 +248,12 @@ void ImportController::take_table(const QString& file) {
         check();
         dialog_.show_note(in_words(failure));
       });
+}
+
+void ImportController::take_log() {
+  keep_choices();
+  dialog_.show_no_table();
+  check_soon();
 }
 
 void ImportController::ask_for_folder() {

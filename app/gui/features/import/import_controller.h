@@ -38,6 +38,8 @@ class ImportController : public QObject {
   /// written. @param saved is called with the path once it is written
   void save(const QString& path, std::function<void()> saved = {});
   bool saving() const { return save_.job != 0; }
+  /// Whether a manifest has what stands in the dialog.
+  bool is_saved() const { return !saved_.isEmpty(); }
 
  signals:
   void open_requested(const QString& manifest);
@@ -48,6 +50,11 @@ class ImportController : public QObject {
   /// A job, of which the answer counts where no other was started in its place.
   struct Task {
     int job = 0, turn = 0;
+  };
+  /// What was chosen of a table, for columns of these titles.
+  struct KeptChoices {
+    guesses::TableChoices choices;
+    std::vector<std::string> titles;
   };
   using Failed = std::function<void(const JobFailure&)>;
   template <class Made>
@@ -63,6 +70,7 @@ class ImportController : public QObject {
   void check_soon();
   void check();
   void take_table(const QString& file);
+  void take_log();
   void ask_for_folder();
   void ask_for_files();
   void ask_for_place();
@@ -80,11 +88,6 @@ class ImportController : public QObject {
   int edits_ = 0;
   QTimer until_check_;
   // What was chosen before files were looked at anew, or another table was read.
-  /// What was chosen of a table, for columns of these titles.
-  struct KeptChoices {
-    guesses::TableChoices choices;
-    std::vector<std::string> titles;
-  };
   std::map<std::filesystem::path, KeptChoices> kept_;
   std::set<std::filesystem::path> kept_left_out_;
   std::optional<guesses::ImportTable> kept_table_;

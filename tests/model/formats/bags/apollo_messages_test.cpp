@@ -93,7 +93,8 @@ TEST(apollo_messages, poses_that_are_none_are_refused) {
 TEST(apollo_messages, fixes_have_their_status_errors_and_the_time_of_the_receiver) {
   motion::GnssFix fix{kStart_ns, degrees_to_radians(48.7), degrees_to_radians(9.1), 312.5, {}};
   fix.covariance_enu_m2 = Eigen::Vector3d(0.0004, 0.0009, 0.0016).asDiagonal();
-  for (const auto& [type, status] : {std::pair{50U, 2}, {56U, 2}, {34U, 1}, {18U, 1}, {16U, 0}, {53U, 0}, {0U, -1}}) {
+  for (const auto& [type, status] :
+       {std::pair{50U, 2}, {56U, 2}, {34U, 1}, {18U, 1}, {16U, 0}, {2U, 0}, {19U, 0}, {53U, 0}, {0U, -1}}) {
     const std::string bytes = apollo_fix_message(fix, type);
     MessageReader reader = of_proto(bytes);
     const FixMessage read = read_apollo_fix(reader);
