@@ -67,10 +67,25 @@ std::vector<fs::path> bags_in(const fs::path& folder) {
   return bags;
 }
 
+/// A recording in several files lacks a part where one was not copied whole.
+std::shared_ptr<const BagFile> with_damaged_beside(std::shared_ptr<const BagFile> bag, const fs::path& folder) {
+  std::vector<drive::Finding> findings;
+  for (const fs::path& file : formats::files_in(folder)) {
+    const std::string extension = formats::lower_case(file.extension().string());
+    if ((extension == ".bag" || extension == ".mcap" || extension == ".db3") && !is_bag(file))
+      findings.push_back(drive::make_finding(drive::Severity::Warning, "bag-part-unreadable", file.string(),
+                                             say::bag_by_name_alone()));
+  }
+  if (findings.empty()) return bag;
+  const auto told = std::make_shared<SplitBag>(std::vector{std::move(bag)});
+  for (drive::Finding& finding : findings) told->add_finding(std::move(finding));
+  return told;
+}
+
 std::shared_ptr<const BagFile> open_only_bag(const fs::path& folder, Progress& progress) {
   const std::vector<fs::path> bags = bags_in(folder);
   if (bags.empty()) throw Error(ErrorCode::Format, folder.string(), say::bag_folder_without_bag());
-  if (bags.size() == 1) return open_bag(bags[0], progress);
+  if (bags.size() == 1) return with_damaged_beside(open_bag(bags[0], progress), folder);
   throw formats::SeveralSessions(folder, say::bag_folder_of_several(bags.size(), formats::lines_of(bags)), bags);
 }
 

@@ -251,6 +251,8 @@ void ImportController::take_table(const QString& file) {
 }
 
 void ImportController::take_log() {
+  cancel(work_);  // a table that is being read is not wanted any more
+  reading_ = false;
   keep_choices();
   dialog_.show_no_table();
   check_soon();

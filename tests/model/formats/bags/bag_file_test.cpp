@@ -122,5 +122,19 @@ TEST(bag_file, of_which_a_part_cannot_be_read_gives_the_others_and_names_it) {
   EXPECT_ERROR(open_quietly(bag_folder), "drive_0.mcap");
 }
 
+TEST(bag_file, beside_which_one_is_damaged_names_it) {
+  const formats::TemporaryFolder folder;
+  const std::vector<TestMessage> messages = test_messages(25);
+  write_mcap(folder.path() / "drive_0.mcap", messages);
+  folder.write("notes.txt", "x");
+  EXPECT_TRUE(open_quietly(folder.path())->findings().empty());
+  folder.write("drive_1.mcap", "");
+  const auto bag = open_quietly(folder.path());
+  EXPECT_EQ(count_and_check(*bag, messages), 25u);
+  const drive::Finding* finding = find(*bag, "bag-part-unreadable");
+  ASSERT_TRUE(finding);
+  EXPECT_TRUE(formats::contains(drive::english(finding->where), "drive_1.mcap"));
+}
+
 }  // namespace
 }  // namespace remount::bags
