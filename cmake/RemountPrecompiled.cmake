@@ -18,5 +18,9 @@ function(remount_precompiled_options target)
     # headers, but not where they come precompiled.
     set(quiet -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized -Wno-restrict)
     target_compile_options(${target} PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess;${quiet}>")
+  else()
+    # A precompiled header from the compiler's cache is as good as one that was made here: clang would refuse it where
+    # the header it was made of is younger.
+    target_compile_options(${target} PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-Xclang -fno-pch-timestamp>")
   endif()
 endfunction()

@@ -8,8 +8,8 @@
 namespace remount::pipeline {
 
 std::optional<Eigen::Vector3d> up_of_first_scans(const drive::Session& session) {
-  constexpr std::size_t kMostScans = 10;
-  const std::size_t count = session.scans ? std::min(session.scans->size(), kMostScans) : 0;
+  constexpr std::size_t kMostFirstScans = 10;
+  const std::size_t count = session.scans ? std::min(session.scans->size(), kMostFirstScans) : 0;
   for (std::size_t scan = 0; scan < count; ++scan) {
     try {
       const cloud::GroundPlane ground =

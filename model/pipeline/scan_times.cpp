@@ -76,13 +76,13 @@ motion::Sweep swept_by(const std::vector<float>& times_s) {
 }
 
 motion::Sweep usual_sweep(const drive::Session& session, settings::DeskewMode mode) {
-  constexpr std::size_t kFew = 3;
+  constexpr std::size_t kFewScans = 3;
   motion::Sweep longest;
   const bool told = session.scan_timing == drive::ScanTiming::PerPoint || sweep_of(session, mode);
   if (!told || !session.scans || mode == settings::DeskewMode::Off) return longest;
   const double most_s = 2.0 * scan_period_s(*session.scans);
-  const std::size_t count = session.scans->size(), first = count / 2 - std::min(count / 2, kFew / 2);
-  for (std::size_t i = first; i < std::min(first + kFew, count); ++i) {
+  const std::size_t count = session.scans->size(), first = count / 2 - std::min(count / 2, kFewScans / 2);
+  for (std::size_t i = first; i < std::min(first + kFewScans, count); ++i) {
     try {
       const motion::Sweep swept = swept_by(scan_times(session, session.scans->load(i), mode));
       if (swept.length_s() > longest.length_s() && swept.length_s() < most_s) longest = swept;

@@ -34,24 +34,24 @@ struct FieldVisitor {
     if constexpr (std::is_same_v<Value, bool>) {
       field.kind = OptionKind::Switch;
       field.value = member;
-      edit(field, [&member](const QVariant& v) {
+      edit(field, [&](const QVariant& v) {
         if constexpr (!std::is_const_v<T>) member = v.toBool();
       });
     } else if constexpr (std::is_integral_v<Value>) {
       field.kind = OptionKind::Integer;
       field.value = static_cast<int>(member);
-      edit(field, [&member](const QVariant& v) {
+      edit(field, [&](const QVariant& v) {
         if constexpr (!std::is_const_v<T>) member = static_cast<Value>(v.toInt());
       });
     } else if constexpr (std::is_floating_point_v<Value>) {
       field.value = static_cast<double>(member);
-      edit(field, [&member](const QVariant& v) {
+      edit(field, [&](const QVariant& v) {
         if constexpr (!std::is_const_v<T>) member = static_cast<Value>(v.toDouble());
       });
     } else {
       field.kind = OptionKind::Text;
       field.value = QString::fromStdString(member);
-      edit(field, [&member](const QVariant& v) {
+      edit(field, [&](const QVariant& v) {
         if constexpr (!std::is_const_v<T>) member = v.toString().toStdString();
       });
     }
@@ -63,7 +63,7 @@ struct FieldVisitor {
     field.kind = OptionKind::Choice;
     for (std::string_view name : names) field.choices << QString::fromUtf8(name);
     field.value = static_cast<int>(member);
-    edit(field, [&member](const QVariant& v) {
+    edit(field, [&](const QVariant& v) {
       if constexpr (!std::is_const_v<T>) member = static_cast<std::remove_const_t<T>>(v.toInt());
     });
   }

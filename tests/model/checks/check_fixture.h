@@ -29,7 +29,8 @@ inline drive::Session good_drive(double turn_deg = 90.0, double tilt_deg = 3.0) 
     session.ins.push_back(sample);
   }
   for (int i = 0; i < 90; ++i)
-    session.odometry_from_lidar.push_back({session.ins[static_cast<std::size_t>(5 * i + 2)].stamp_ns, {}});
+    session.odometry_from_lidar.push_back(
+        {session.ins[static_cast<std::size_t>(5 * i + 2)].stamp_ns, RigidTransform::Identity()});
   return session;
 }
 

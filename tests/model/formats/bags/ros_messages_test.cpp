@@ -82,12 +82,11 @@ TEST(ros_messages, quaternions_that_are_none_are_refused) {
   MessageWriter writer(MessageEncoding::Ros1);
   writer.header(kStart_ns, "map");
   doubles(writer, {1, 2, 3, 0, 0, 0, 0});
-  EXPECT_ERROR(
-      {
-        MessageReader reader = reader_of(writer.bytes(), MessageEncoding::Ros1);
-        read_pose(reader, MessageKind::PoseStamped);
-      },
-      "quaternion");
+  const auto read = [&] {
+    MessageReader reader = reader_of(writer.bytes(), MessageEncoding::Ros1);
+    read_pose(reader, MessageKind::PoseStamped);
+  };
+  EXPECT_ERROR(read(), "quaternion");
 }
 
 /// From latitude to azimuth and the sigmas, as all three drivers have it.

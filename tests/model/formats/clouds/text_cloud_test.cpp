@@ -45,8 +45,8 @@ TEST_F(text_cloud, columns_go_by_their_names_in_any_order_and_notation) {
       "//X Y Z Intensity Ring Time\n1 2 3 7 4 0\n4 5 6 8 5 0.05\n",
       "# x [m] y [m] z [m] reflectivity laser_id t [s]\n1 2 3 7 4 0\n4 5 6 8 5 0.05\n",
       "time_us;ring;scalar_intensity;X (m);Y (m);Z (m)\n0;4;7;1;2;3\n50000;5;8;4;5;6\n",
-      "\"intensity\",\"laser_id\",\"azimuth\",\"timestamp\",\"Points_m_XYZ:0\",\"Points_m_XYZ:1\",\"Points_m_XYZ:2\"\n"
-      "7,4,100,0,1,2,3\n8,5,200,50000,4,5,6\n",
+      ("\"intensity\",\"laser_id\",\"azimuth\",\"timestamp\",\"Points_m_XYZ:0\",\"Points_m_XYZ:1\",\"Points_m_XYZ:2\"\n"
+       "7,4,100,0,1,2,3\n8,5,200,50000,4,5,6\n"),
       "t_ns,x,y,z,remission,channel\n0,1,2,3,7,4\n50000000,4,5,6,8,5\n"};
   for (const char* const text : cases) {
     const cloud::PointCloud cloud = load_text(text, "a.csv");
