@@ -1,5 +1,7 @@
 #include "model/formats/packets/hesai_firing_times.h"
 
+#include <iterator>
+
 namespace remount::formats {
 
 namespace {
@@ -221,6 +223,17 @@ std::vector<std::vector<double>> sets_of(const std::int32_t (&times_ns)[128][set
   return by_set;
 }
 
+/// In which order channels of a QT128 fire: three at equal distances in time, and a pause.
+constexpr std::uint8_t kOrderQt128[2][96] = {
+    {99,  65, 35, 102, 72, 38, 107, 73, 43, 110, 80, 46, 115, 81, 51, 118, 88, 54, 123, 89, 59, 126, 96, 62,
+     97,  67, 33, 104, 70, 40, 105, 75, 41, 112, 78, 48, 113, 83, 49, 120, 86, 56, 121, 91, 57, 128, 94, 64,
+     98,  68, 34, 103, 69, 39, 106, 76, 42, 111, 77, 47, 114, 84, 50, 119, 85, 55, 122, 92, 58, 127, 93, 63,
+     100, 66, 36, 101, 71, 37, 108, 74, 44, 109, 79, 45, 116, 82, 52, 117, 87, 53, 124, 90, 60, 125, 95, 61},
+    {65, 99,  1, 72, 102, 8, 73, 107, 9,  80, 110, 16, 81, 115, 17, 88, 118, 24, 89, 123, 25, 96, 126, 32,
+     67, 97,  3, 70, 104, 6, 75, 105, 11, 78, 112, 14, 83, 113, 19, 86, 120, 22, 91, 121, 27, 94, 128, 30,
+     68, 98,  4, 69, 103, 5, 76, 106, 12, 77, 111, 13, 84, 114, 20, 85, 119, 21, 92, 122, 28, 93, 127, 29,
+     66, 100, 2, 71, 101, 7, 74, 108, 10, 79, 109, 15, 82, 116, 18, 87, 117, 23, 90, 124, 26, 95, 125, 31}};
+
 }  // namespace
 
 std::vector<std::vector<double>> pandar128_times_us() { return sets_of(kTimes128_ns); }
@@ -230,6 +243,19 @@ std::vector<double> at128_times_us() {
   std::vector<double> times_us;
   for (const std::int32_t time_ns : kTimesAt_ns) times_us.push_back(1e-3 * time_ns);
   return times_us;
+}
+
+std::vector<std::vector<double>> qt128_times_us() {
+  constexpr std::size_t kChannels = 128, kTogether = 3;
+  constexpr double kFirst_us = 0.6, kStep_us = 0.856, kPause_us = 0.6;
+  std::vector<std::vector<double>> loops;
+  for (const auto& order : kOrderQt128) {
+    std::vector<double>& times_us = loops.emplace_back(kChannels, 0.0);
+    for (std::size_t i = 0; i < std::size(order); ++i)
+      times_us[order[i] - 1U] =
+          kFirst_us + kStep_us * static_cast<double>(i) + kPause_us * static_cast<double>(i / kTogether);
+  }
+  return loops;
 }
 
 }  // namespace remount::formats

@@ -11,5 +11,7 @@ namespace remount::formats {
 std::vector<std::vector<double>> pandar128_times_us();
 std::vector<std::vector<double>> ot128_times_us();
 std::vector<double> at128_times_us();
+/// Of its two loops, in which channels 33 to 64 fire, or 1 to 32, beside all others.
+std::vector<std::vector<double>> qt128_times_us();
 
 }  // namespace remount::formats

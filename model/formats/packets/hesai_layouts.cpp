@@ -39,6 +39,7 @@ struct SaidLayout : HesaiLayout {
   std::uint8_t mode = 0;                     ///< of returns
   std::optional<std::uint8_t> state = {};    ///< of 128 channels: in which they take turns
   std::optional<std::uint8_t> version = {};  ///< likewise, of the sensor, behind that of the protocol
+  bool own_channels = false;                 ///< of a QT128: chosen by somebody, and told by no packet
 };
 
 /// Where things stand in what follows the blocks.
@@ -158,6 +159,28 @@ std::optional<SaidLayout> layout_of_at128(std::string_view payload) {
                            payload);
 }
 
+/// The QT128: two sets of channels take turns, from block to block.
+std::optional<SaidLayout> layout_of_qt128(std::string_view payload) {
+  constexpr HesaiTail kTail{.bytes = 26, .mode_at = 12, .speed_at = 13, .stamp_at = 21, .date_at = 15};
+  constexpr std::size_t kLoopAt = 5;
+  constexpr std::uint8_t kConfidence = 0x10, kOwnChannels = 0x40;
+  const std::uint8_t holds = byte_at(payload, 11);
+  SaidLayout layout{{.model = &qt128(),
+                     .blocks = byte_at(payload, 7),
+                     .channels = byte_at(payload, 6),
+                     .blocks_at = 12,
+                     .units_at = 2,
+                     .unit_bytes = (holds & kConfidence) != 0 ? std::size_t{4} : std::size_t{3},
+                     .unit_m = 1e-3 * byte_at(payload, 9)}};
+  layout.block_bytes = layout.units_at + layout.channels * layout.unit_bytes;
+  auto whole = with_checked_tail(layout, kTail, payload);
+  if (!whole) return std::nullopt;
+  whole->loop_at = whole->speed_at - kTail.speed_at + kLoopAt;
+  whole->own_channels = (holds & kOwnChannels) != 0;
+  if (whole->own_channels || layout.channels != layout.model->channels) whole->model = nullptr;
+  return whole;
+}
+
 /// Headers of 12 bytes with the version of the protocol.
 std::optional<SaidLayout> layout_by_version(std::string_view payload) {
   constexpr std::size_t kUnitBytes = 4;
@@ -173,6 +196,7 @@ std::optional<SaidLayout> layout_by_version(std::string_view payload) {
   const std::uint8_t major = byte_at(payload, 2), minor = byte_at(payload, 3);
   if (major == 1 && minor == 4) return layout_of_128(payload);
   if (major == 4 && (minor == 1 || minor == 3)) return layout_of_at128(payload);
+  if (major == 3 && minor == 2) return layout_of_qt128(payload);
   if (major == 3 && minor == 1) {
     if (layout.channels == 64) layout.model = &pandar_qt();
     return with_tail(layout, kQtTail, payload);
@@ -210,6 +234,7 @@ bool HesaiLayout::falls(std::string_view payload) const {
 }
 
 std::size_t HesaiLayout::times_set(std::string_view payload, std::size_t column) const {
+  if (loop_at != 0) return (byte_at(payload, loop_at) + column + 1) % 2;
   if (states_at == 0) return 0;
   const std::uint16_t states = little_number<std::uint16_t>(payload, states_at);
   const std::size_t of_column = states >> (14U - 2U * (column * returns)) & (first_state == 0 ? 3U : 1U);
@@ -240,6 +265,7 @@ std::optional<HesaiLayout> hesai_layout(std::string_view payload) {
 Message unknown_hesai(std::string_view payload) {
   const std::optional<SaidLayout> said = sized_layout(payload);
   if (!said || is_known(*said)) return {};
+  if (said->own_channels) return say::capture_hesai_own_channels();
   if (said->model == nullptr && said->version && *said->version >= kFirstOtherOf128)
     return say::capture_hesai_unknown_version(said->channels, *said->version);
   if (said->model == nullptr && said->state)
@@ -254,7 +280,7 @@ std::string_view unread_hesai(std::string_view payload) {
     std::uint8_t major, minor;
     std::string_view name;
   };
-  constexpr Version kUnread[] = {{1, 8, "JT16"}, {3, 2, "QT128"}, {4, 7, "ATX"}, {5, 1, "ET25"}, {7, 2, "FT120"}};
+  constexpr Version kUnread[] = {{1, 8, "JT16"}, {4, 7, "ATX"}, {5, 1, "ET25"}, {7, 2, "FT120"}};
   if (payload.size() < kLeastHesaiBytes || !payload.starts_with("\xee\xff")) return {};
   for (const Version& version : kUnread)
     if (byte_at(payload, 2) == version.major && byte_at(payload, 3) == version.minor) return version.name;

@@ -30,6 +30,7 @@ struct HesaiModel {
 const HesaiModel& pandar40();
 const HesaiModel& pandar64();
 const HesaiModel& pandar_qt();
+const HesaiModel& qt128();
 const HesaiModel& pandar128();
 const HesaiModel& ot128();
 const HesaiModel& at128();
@@ -48,6 +49,7 @@ struct HesaiLayout {
   std::size_t speed_at = 0, stamp_at = 0, date_at = 0;
   std::size_t states_at = 0;     ///< of blocks; 0: they have none
   std::size_t first_state = 0;   ///< of the packet's mode, among all states
+  std::size_t loop_at = 0;       ///< which of two sets of channels fires in the first block; 0: they are one
   bool years_from_2000 = false;  ///< of the date; else from 1900, or seconds since 1970 where its first byte is 0
 
   std::size_t columns() const { return blocks / returns; }
@@ -66,7 +68,7 @@ struct HesaiLayout {
 
 /// By what a packet says of itself; nothing where it is no packet of points of these sensors.
 std::optional<HesaiLayout> hesai_layout(std::string_view payload);
-/// "QT128" of a packet of points of a sensor of this make that is not decoded; empty for anything else.
+/// "FT120" of a packet of points of a sensor of this make that is not decoded; empty for anything else.
 std::string_view unread_hesai(std::string_view payload);
 /// Why a packet of points that is one of these sensors' by mark, protocol and size is not decoded; empty where it is,
 /// and for anything else.

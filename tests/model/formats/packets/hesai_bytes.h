@@ -14,7 +14,7 @@ namespace remount::formats {
 
 /// One of these sensors with its blocks, channels and what stands around them.
 struct HesaiPacket {
-  enum class Kind { Pandar40, Pandar64, Qt64, Xt, Pandar128, At128 };
+  enum class Kind { Pandar40, Pandar64, Qt64, Xt, Pandar128, At128, Qt128 };
 
   Kind kind = Kind::Xt;
   std::size_t blocks = 8, channels = 32;
@@ -23,6 +23,7 @@ struct HesaiPacket {
   std::array<std::uint8_t, 6> date{123, 11, 14, 22, 13, 20};  ///< year, month, day, hour, minute, second
   std::uint32_t stamp_us = 250'000;
   std::uint8_t version = 0, holds = 1, state_mode = 0;  ///< of those with 128 channels
+  std::uint8_t loop = 1;                                ///< of a QT128, of its first block
   std::uint16_t states = 0;
   bool counted = true;                       ///< a number of the packet at its end
   std::vector<std::uint16_t> azimuths = {};  ///< of its blocks, hundredths of a degree
@@ -37,6 +38,8 @@ struct HesaiPacket {
   }
   static HesaiPacket pandar128() { return {.kind = Kind::Pandar128, .blocks = 2, .channels = 128}; }
   static HesaiPacket at128() { return {.kind = Kind::At128, .blocks = 2, .channels = 128}; }
+  /// With the confidence of each return, as sensors send them.
+  static HesaiPacket qt128() { return {.kind = Kind::Qt128, .blocks = 2, .channels = 128, .holds = 0x1d}; }
   static HesaiPacket qt64() { return {.kind = Kind::Qt64, .blocks = 4, .channels = 64}; }
   static HesaiPacket xt16() { return {.channels = 16}; }
   static HesaiPacket xt32m() { return {.blocks = 6}; }
@@ -49,11 +52,10 @@ struct HesaiPacket {
     if (kind == Kind::Qt64 || kind == Kind::Xt)
       payload = "\xee\xff" + little(kind == Kind::Qt64 ? 3 : 6, 1) + little(1, 1) + little(0, 2) +
                 little(channels_8, 1) + little(blocks_8, 1) + little(0, 1) + little(4, 1) + little(0, 1) + little(1, 1);
-    const bool checked = kind == Kind::Pandar128 || kind == Kind::At128;
+    const bool checked = kind == Kind::Pandar128 || kind == Kind::At128 || kind == Kind::Qt128;
     if (checked)
-      payload = "\xee\xff" + little(kind == Kind::Pandar128 ? 0x0401 : 0x0304, 2) + little(version, 2) +
-                little(channels_8, 1) + little(blocks_8, 1) + little(0, 1) + little(4, 1) + little(1, 1) +
-                little(holds, 1);
+      payload = "\xee\xff" + little(protocol_of_128(), 2) + little(version, 2) + little(channels_8, 1) +
+                little(blocks_8, 1) + little(0, 1) + little(4, 1) + little(1, 1) + little(holds, 1);
     for (std::size_t block = 0; block < blocks; ++block) {
       if (kind == Kind::Pandar40) payload += "\xff\xee";
       payload += little(azimuths[block], 2);
@@ -62,7 +64,7 @@ struct HesaiPacket {
         const auto [range, light] =
             returns ? returns(block, channel) : std::pair<std::uint16_t, std::uint8_t>{2500, 50};
         payload += little(range, 2) + little(light, 1);
-        const bool confident = kind == Kind::Pandar128 && (holds & 0x10) != 0;
+        const bool confident = (kind == Kind::Pandar128 || kind == Kind::Qt128) && (holds & 0x10) != 0;
         if (kind == Kind::Qt64 || kind == Kind::Xt || kind == Kind::At128 || confident) payload += little(200, 1);
       }
     }
@@ -72,11 +74,14 @@ struct HesaiPacket {
 
  private:
   static std::array<std::uint8_t, 6> two_thousand() { return {23, 11, 14, 22, 13, 20}; }
+  int protocol_of_128() const { return kind == Kind::Pandar128 ? 0x0401 : kind == Kind::Qt128 ? 0x0203 : 0x0304; }
   std::string checked_tail() const {
     const auto of = [&](int what, std::size_t bytes) { return std::string((holds & what) != 0 ? bytes : 0, '\x11'); };
     const std::string day(reinterpret_cast<const char*>(date.data()), date.size());
     const std::string own =
-        kind == Kind::Pandar128
+        kind == Kind::Qt128 ? std::string(5, '\0') + little(loop, 1) + std::string(6, '\0') + little(mode, 1) +
+                                  little(rpm, 2) + day + little(stamp_us, 4) + little(0x42, 1)
+        : kind == Kind::Pandar128
             ? std::string(9, '\0') + little(states, 2) + little(state_mode, 1) + little(mode, 1) + little(rpm, 2) +
                   day + little(stamp_us, 4) + little(0x42, 1)
             : std::string(18, '\0') + little(rpm, 2) + little(stamp_us, 4) + little(mode, 1) + little(0x42, 1) + day;
@@ -87,6 +92,7 @@ struct HesaiPacket {
     switch (kind) {
       case Kind::Pandar128:
       case Kind::At128:
+      case Kind::Qt128:
         break;
       case Kind::Pandar40:
       case Kind::Pandar64:

@@ -147,6 +147,24 @@ TEST(hesai_packets, channels_of_a_pandar128_fire_by_states_and_ranges) {
       "holds packets of a Hesai with 128 channels in operation state 3, which is not known of version 130. Set");
 }
 
+// Which channels fire in a block was seen in packets of a sensor: 33 to 64 where the packet's mode is 1, else 1 to 32.
+TEST(hesai_packets, two_sets_of_channels_of_a_qt128_take_turns) {
+  HesaiPacket packet = HesaiPacket::qt128();
+  packet.azimuths = block_azimuths(2, 9000, 40);
+  packet.returns = only_return(0, 34);
+  expect_return(packet, -16.627, 90.0 - 6.157 + 0.0036 * 2.312, 9.0 + 2.312, 34);
+  packet.returns = only_return(1, 0);
+  expect_return(packet, -52.627, 90.4 + 10.108 + 0.0036 * 2.312, 9.0 + 111.11 + 2.312, 0);
+  packet.loop = 0, packet.mode = 0x39;  // blocks of two returns are of one time
+  packet.azimuths = block_azimuths(2, 9000, 0);
+  packet.returns = only_return(1, 30);
+  expect_return(packet, -20.056, 90.0 + 6.285 + 0.0036 * 100.52, 9.0 + 100.52, 30);
+  packet.returns = only_return(0, 98);
+  expect_return(packet, 20.926, 90.0 - 6.323 + 0.0036 * 1.456, 9.0 + 1.456, 82);
+  packet.holds = 0;  // without confidences
+  expect_return(packet, 20.926, 90.0 - 6.323 + 0.0036 * 1.456, 9.0 + 1.456, 82);
+}
+
 TEST(hesai_packets, mirrors_of_an_at128_turn_its_beams) {
   const TemporaryFolder folder;
   folder.write("angles.dat", mirror_bytes());
@@ -321,7 +339,13 @@ TEST(hesai_packets, what_is_not_decoded_is_named) {
   EXPECT_FALSE(decoder->glance(HesaiPacket::xt16().azimuths.empty() ? std::string(568, '\0') : payload));
   EXPECT_FALSE(decoder->glance(payload + "x"));
   payload[2] = 3, payload[3] = 2;
-  EXPECT_ERROR(hesai_decoder(payload, folder), "QT128");
+  EXPECT_EQ(hesai_decoder(payload, folder), nullptr) << "of another size than its protocol says";
+  payload[2] = 7;
+  EXPECT_ERROR(hesai_decoder(payload, folder), "FT120");
+  HesaiPacket chosen = HesaiPacket::qt128();
+  chosen.azimuths = block_azimuths(2, 0, 40);
+  chosen.holds |= 0x40;
+  EXPECT_ERROR(hesai_decoder(chosen.bytes(), folder), "channels somebody chose");
   payload[2] = 9;
   EXPECT_EQ(hesai_decoder(payload, folder), nullptr);
   EXPECT_EQ(hesai_decoder(std::string("\xee\xff"), folder), nullptr);
