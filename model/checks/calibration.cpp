@@ -15,6 +15,7 @@ DataCheck calibration_check() {
           {"lidar-not-seen-by-others", say::lidar_not_seen_meaning, say::lidar_not_seen_remedy},
           {"vehicle-drives-contradict", say::vehicle_drives_contradict_meaning, say::vehicle_drives_contradict_remedy},
           {"lidars-contradict", say::lidars_contradict_meaning, say::lidars_contradict_remedy},
+          {"motions-differ", say::motions_differ_meaning, say::motions_differ_remedy},
           {"map-less-sharp", say::map_less_sharp_meaning, say::map_less_sharp_remedy},
           {"beam-errors", say::beam_errors_meaning, say::beam_errors_remedy},
           {"ins-position-lag", say::ins_position_lag_meaning, say::ins_position_lag_remedy},

@@ -25,7 +25,8 @@ class AttitudeReader {
       if (const auto found = find(yaw); found && roll && pitch)
         if (const auto unit = common_unit(names_, std::array{*found, *pitch, *roll}))
           add_angles({*found, *pitch, *roll}, *unit, true, yaw == Quantity::Heading);
-    if (position_.exchanged) return std::move(out_);  // a quaternion would go with a world that is mirrored
+    if (position_.exchanged && !position_.down && !position_.geodetic)
+      return std::move(out_);  // a quaternion would go with a world that is mirrored
     const auto x = find(Quantity::Qx), y = find(Quantity::Qy), z = find(Quantity::Qz), w = find(Quantity::Qw);
     if (x && y && z && w) {
       add_quaternion({*x, *y, *z, *w}, true);
@@ -43,9 +44,13 @@ class AttitudeReader {
            std::ranges::find(position_.at, column) == position_.at.end();
   }
 
+  /// x to the north, y to the east, z downwards, of columns whose names do not say so.
+  bool counts_down_from_north() const { return position_.exchanged && position_.down && !position_.geodetic; }
+
   void add_quaternion(const std::array<std::size_t, 4>& xyzw, bool by_name) {
     for (const QuaternionConvention convention :
          {QuaternionConvention::EnuFromIns, QuaternionConvention::NedFromBody}) {
+      if (counts_down_from_north() && convention == QuaternionConvention::EnuFromIns) continue;
       AttitudeReading reading;
       reading.quaternion = convention;
       reading.xyzw = xyzw;

@@ -38,15 +38,15 @@ constexpr std::pair<Quantity, std::string_view> kNames[] = {
      "heightellipsoid,elevation,高,高度,高程,大地高,椭球高"},
     {Quantity::SeaHeight, "hmsl,heightmsl,altitudemsl,altmsl,msl,orthometricheight,海拔,海拔高,海拔高度"},
     {Quantity::East,
-     "e,east,easting,eastposition,poseast,utme,utmeast,utmeasting,utmx,东,东向,东坐标,东向坐标,东向位置"},
+     "e,east,easting,eastposition,poseast,utme,utmeast,utmeasting,utmx,pose,东,东向,东坐标,东向坐标,东向位置"},
     {Quantity::North,
-     "n,north,northing,northposition,posnorth,utmn,utmnorth,utmnorthing,utmy,北,北向,北坐标,"
+     "n,north,northing,northposition,posnorth,posn,utmn,utmnorth,utmnorthing,utmy,北,北向,北坐标,"
      "北向坐标,北向位置"},
     {Quantity::Up, "u,up,posup,天,天向,天向位置"},
-    {Quantity::Down, "d,down,posdown,地向,地向位置"},
-    {Quantity::X, "x,px,tx,posx,xpos,positionx,translationx,prsrx,x坐标"},
-    {Quantity::Y, "y,py,ty,posy,ypos,positiony,translationy,prsry,y坐标"},
-    {Quantity::Z, "z,pz,tz,posz,zpos,positionz,translationz,prsrz,z坐标"},
+    {Quantity::Down, "d,down,posdown,posd,地向,地向位置"},
+    {Quantity::X, "x,px,tx,posx,xpos,positionx,position0,translationx,prsrx,x坐标"},
+    {Quantity::Y, "y,py,ty,posy,ypos,positiony,position1,translationy,prsry,y坐标"},
+    {Quantity::Z, "z,pz,tz,posz,zpos,positionz,position2,translationz,prsrz,z坐标"},
     {Quantity::Roll, "roll,rollangle,angleroll,attroll,insroll,eulerroll,横滚,横滚角,滚转,滚转角,翻滚角,侧倾角"},
     {Quantity::Pitch, "pitch,pitchangle,anglepitch,attpitch,inspitch,eulerpitch,俯仰,俯仰角"},
     {Quantity::Heading,
@@ -139,7 +139,10 @@ std::string unit_of(std::string_view text) {
 /// Where a unit in brackets, of Latin letters or of Chinese text, begins; npos where there is none.
 std::size_t bracket_at(std::string_view title) {
   for (const std::string_view open : {"(", "[", "{", "（", "【"})
-    if (const std::size_t at = title.find(open); at != std::string_view::npos && at > 0) return at;
+    if (const std::size_t at = title.find(open); at != std::string_view::npos && at > 0) {
+      const bool counts = at + 2 < title.size() && title[at + 1] >= '0' && title[at + 1] <= '9' && title[at + 2] == ']';
+      return counts ? std::string_view::npos : at;  // "q[0]" is one of several
+    }
   return std::string_view::npos;
 }
 

@@ -110,19 +110,38 @@ void add_other(const SampledTable& table, const Hypothesis& other, std::string w
   put_attitude(table, other.attitude, layout);
 }
 
+/// "pose.position.x" and "pose.orientation.w": messages of ROS, whose axes are agreed on.
+bool is_of_ros(const SampledTable& table, const Hypothesis& best) {
+  const auto has = [&](std::size_t column, std::string_view word) {
+    return table.columns[column].title.find(word) != std::string::npos;
+  };
+  return best.attitude.quaternion && has(best.position->at[0], "position.") &&
+         has(best.attitude.xyzw[0], "orientation.");
+}
+
 /// A compass heading decides: from north, clockwise. All else goes with x to the east as with x to the north.
 void judge_axes(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best, Guess& guess) {
   const Hypothesis* mirrored = moves(best) ? mirrored_alike(all, best) : nullptr;
   const bool decided = best.attitude.telling_name && best.attitude.usual_for_name && !best.position->exchanged;
-  if (!mirrored || decided) return;
+  if (!mirrored || decided || is_of_ros(table, best)) return;
   guess.sureness = Sureness::Open;
-  guess.evidence.push_back(say::guess_axes_not_told());
+  guess.evidence.push_back(best.attitude.quaternion ? say::guess_down_not_told() : say::guess_axes_not_told());
   add_other(table, *mirrored,
             axes_words(table, *mirrored->position) + ", attitude: {" + mirrored->attitude.words() + "}", guess);
 }
 
-void judge_by_travel(const std::vector<Hypothesis>& all, const Hypothesis& best, Guess& guess) {
-  constexpr double kKeepsTo_rad = 10.0 * kDegree_rad, kFarBetter = 3.0, kStraightAhead_rad = 15.0 * kDegree_rad;
+/// How an attitude counts, and of which columns where they are not those of the other.
+std::string words_beside(const SampledTable& table, const AttitudeReading& one, const AttitudeReading& other) {
+  if (same_columns(one, other)) return one.words();
+  std::string words;
+  for (const std::size_t column : one.columns()) words += (words.empty() ? "" : ", ") + table.label(column);
+  return words + ": " + one.words();
+}
+
+void judge_by_travel(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best,
+                     Guess& guess) {
+  constexpr double kKeepsTo_rad = 10.0 * kDegree_rad, kClose_rad = 3.0 * kDegree_rad, kFarBetter = 3.0,
+                   kStraightAhead_rad = 15.0 * kDegree_rad;
   const TravelFit& fit = best.fit;
   if (!moves(best)) {
     guess.evidence.push_back(say::guess_hardly_moves(fit.steps));
@@ -137,8 +156,11 @@ void judge_by_travel(const std::vector<Hypothesis>& all, const Hypothesis& best,
     guess.evidence.push_back(say::guess_heading_against_travel());
     guess.sureness = Sureness::Open;
   } else if (turns && (far_better || !rival)) {
-    if (rival) guess.evidence.push_back(say::guess_rival(rival->attitude.words(), Angle{rival->fit.residual_rad}));
-    guess.sureness = size_of_offset(fit) < kStraightAhead_rad ? Sureness::Checked : Sureness::Likely;
+    if (rival)
+      guess.evidence.push_back(
+          say::guess_rival(words_beside(table, rival->attitude, best.attitude), Angle{rival->fit.residual_rad}));
+    const bool close = fit.residual_rad < kClose_rad && size_of_offset(fit) < kStraightAhead_rad;
+    guess.sureness = close ? Sureness::Checked : Sureness::Likely;
   } else {
     guess.evidence.push_back(say::guess_straight(Angle{fit.turned_rad}));
     const auto ahead = [&](const TravelFit& one) { return size_of_offset(one) < kStraightAhead_rad; };
@@ -148,6 +170,22 @@ void judge_by_travel(const std::vector<Hypothesis>& all, const Hypothesis& best,
   }
   if (size_of_offset(fit) >= kStraightAhead_rad)
     guess.evidence.push_back(say::guess_heading_offset(Angle{fit.offset_rad}));
+}
+
+/// Others with the same heading and pitch, whose roll is another column: no drive tells it.
+void judge_roll_column(const std::vector<Hypothesis>& all, const SampledTable& table, const Hypothesis& best,
+                       Guess& guess) {
+  constexpr double kUpright = 0.95;
+  const auto& [yaw, pitch, roll] = best.attitude.yaw_pitch_roll;
+  for (const Hypothesis& other : all) {
+    const auto& columns = other.attitude.yaw_pitch_roll;
+    if (other.attitude.quaternion || other.position != best.position || columns[0] != yaw || columns[1] != pitch ||
+        columns[2] == roll || other.attitude.words() != best.attitude.words() || other.fit.upright < kUpright)
+      continue;
+    if (guess.sureness != Sureness::Open) guess.evidence.push_back(say::guess_roll_column_not_told());
+    guess.sureness = Sureness::Open;
+    add_other(table, other, "roll: " + table.label(columns[2]) + ", " + other.attitude.words(), guess);
+  }
 }
 
 void judge_tilt(const Hypothesis& best, Guess& guess) {
@@ -174,10 +212,14 @@ Guess attitude_guess(const SampledTable& table, const std::vector<Hypothesis>& a
               Sureness::Open,      {}, {}};
   for (const std::size_t column : best.attitude.columns()) guess.columns.push_back(table.label(column));
   if (!best.attitude.by_name) guess.evidence.push_back(say::guess_by_behaviour());
-  judge_by_travel(all, best, guess);
+  judge_by_travel(table, all, best, guess);
   judge_tilt(best, guess);
-  if (!best.attitude.by_name && guess.sureness == Sureness::Checked && best.fit.slope != SlopeFit::Agrees)
-    guess.sureness = Sureness::Likely;  // which of the others is pitch, the order alone says
+  // Of columns without names nothing tells roll, and of a pitch that does not follow the road nothing is checked.
+  const bool angles = !best.attitude.quaternion;
+  if (guess.sureness == Sureness::Checked && angles &&
+      (!best.attitude.by_name || best.fit.slope == SlopeFit::Unrelated))
+    guess.sureness = Sureness::Likely;
+  if (angles && !best.attitude.by_name) judge_roll_column(all, table, best, guess);
   if (guess.sureness != Sureness::Checked)
     for (const Hypothesis* other : others_alike(all, best)) add_other(table, *other, other->attitude.words(), guess);
   judge_axes(table, all, best, guess);
@@ -200,6 +242,11 @@ void judge_exchanged(const SampledTable& table, const std::vector<Hypothesis>& a
                      Guess& guess) {
   const PositionReading& position = *best.position;
   if (!position.exchanged) return;
+  if (position.geodetic) {
+    guess.evidence.push_back(say::guess_latitude_exchanged());
+    guess.sureness = Sureness::Open;
+    return;
+  }
   guess.evidence.push_back(say::guess_x_is_north());
   guess.sureness = Sureness::Likely;
   const Hypothesis* other = turned_over(all, best);
@@ -281,13 +328,24 @@ void put_errors(const SampledTable& table, const ColumnNames& names, ChosenMotio
   chosen.others.push_back({GuessKind::Quality, {table.label(*quality)}, "", Sureness::Named, {}, {}});
 }
 
+/// Of columns that are called alike the first was taken.
+void tell_named_alike(const SampledTable& table, const ColumnNames& names, Guess& guess) {
+  for (const std::string& label : guess.columns)
+    for (std::size_t column = 0; column < names.size(); ++column) {
+      if (table.label(column) != label || !names[column]) continue;
+      const std::vector<std::string> others = others_called_alike(table, names, column);
+      if (!others.empty()) guess.evidence.push_back(say::guess_called_alike(others, label));
+      break;
+    }
+}
+
 }  // namespace
 
 std::optional<ChosenMotion> choose_motion(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
                                           const Progress& progress, std::vector<Message>& missing) {
   const std::vector<PositionReading> positions = position_readings(table, names, time);
   if (positions.empty()) {
-    missing.push_back(say::guess_no_position());
+    missing.push_back(has_geocentric_columns(table) ? say::guess_geocentric() : say::guess_no_position());
     return std::nullopt;
   }
   std::vector<Hypothesis> all = hypotheses_of(table, names, time, positions, progress);
@@ -313,6 +371,8 @@ std::optional<ChosenMotion> choose_motion(const SampledTable& table, const Colum
   put_attitude(table, best.attitude, chosen.layout);
   chosen.position = position_guess(table, all, best);
   chosen.attitude = attitude_guess(table, all, best);
+  tell_named_alike(table, names, chosen.position);
+  tell_named_alike(table, names, chosen.attitude);
   put_errors(table, names, chosen);
   return chosen;
 }

@@ -16,11 +16,15 @@ namespace {
 /// What the heading is off, and what makes a reading unlikely in the same measure.
 double score_of(const PositionReading& position, const AttitudeReading& attitude, const TravelFit& fit) {
   constexpr double kUpright = 0.8, kNotUpright_rad = 60.0 * kDegree_rad, kUnusual_rad = 0.5 * kDegree_rad,
-                   kOfOffset = 0.02;
+                   kOfOffset = 0.02, kOfTilt = 0.1;
   double score_rad = fit.residual_rad + kOfOffset * size_of_offset(fit);
+  // No drive tells roll; a vehicle leans little.
+  if (!attitude.by_name) score_rad += kOfTilt * std::acos(std::clamp(fit.upright, -1.0, 1.0));
+  if (position.exchanged && position.geodetic) score_rad += 4.0 * kUnusual_rad;  // names say otherwise
   if (fit.upright < kUpright) score_rad += kNotUpright_rad;
   if (!attitude.usual_for_name) score_rad += kUnusual_rad;
-  if (position.exchanged && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;  // it counts down
+  if (position.exchanged && !position.geodetic && fit.slope == SlopeFit::Opposite)
+    score_rad += 0.5 * kUnusual_rad;  // it counts down
   if (!attitude.by_name && fit.slope == SlopeFit::Unrelated) score_rad += kUnusual_rad;
   if (!attitude.by_name && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;
   return score_rad;

@@ -26,6 +26,15 @@ std::optional<std::size_t> number_column(const SampledTable& table, const Column
   return std::nullopt;
 }
 
+std::vector<std::string> others_called_alike(const SampledTable& table, const ColumnNames& names, std::size_t column) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (i != column && names[i] && names[column] && names[i]->quantity == names[column]->quantity &&
+        table.columns[i].numeric && unit_is_read(*names[i]))
+      others.push_back(table.label(i) + " (" + std::to_string(i) + ")");
+  return others;
+}
+
 std::optional<std::string> common_unit(const ColumnNames& names, std::span<const std::size_t> columns) {
   std::string unit;
   for (const std::size_t column : columns) {

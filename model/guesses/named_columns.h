@@ -22,6 +22,9 @@ std::optional<std::size_t> column_called(const ColumnNames& names, Quantity quan
 /// The first that is called so and holds numbers in a unit that is read.
 std::optional<std::size_t> number_column(const SampledTable& table, const ColumnNames& names, Quantity quantity);
 
+/// Others that hold numbers of the same quantity, as far as names say: "heading (7)", counted from 0.
+std::vector<std::string> others_called_alike(const SampledTable& table, const ColumnNames& names, std::size_t column);
+
 /// The unit that those columns state; empty where none does, and nothing where they state several.
 std::optional<std::string> common_unit(const ColumnNames& names, std::span<const std::size_t> columns);
 

@@ -77,6 +77,21 @@ Movement movement_of(const std::vector<Eigen::Vector3d>& metres, const std::vect
   return movement;
 }
 
+/// As far from the middle of the earth as its surface is, and no height.
+bool is_geocentric(const SampledTable& table, const std::array<std::size_t, 3>& at) {
+  constexpr double kLeast_m = 6.33e6, kMost_m = 6.40e6, kNoHeight_m = 20'000.0;
+  std::size_t on_surface = 0, rows = 0;
+  for (std::size_t row = 0; row < values_of(table, at[0]).size(); ++row) {
+    const Eigen::Vector3d place(values_of(table, at[0])[row], values_of(table, at[1])[row],
+                                values_of(table, at[2])[row]);
+    if (!place.allFinite()) continue;
+    ++rows;
+    const double distance_m = place.norm();
+    on_surface += distance_m > kLeast_m && distance_m < kMost_m && std::abs(place.z()) > kNoHeight_m;
+  }
+  return rows > 0 && 10 * on_surface > 9 * rows;
+}
+
 class PositionReader {
  public:
   PositionReader(const SampledTable& table, const ColumnNames& names, const TimeReading& time)
@@ -125,6 +140,8 @@ class PositionReader {
       settle_unit(reading, *unit);
       finish(reading);
       out_.push_back(std::move(reading));
+      if (largest_size(values_of(table_, *longitude)) * out_.front().unit_rad <= kPi / 2.0)
+        add_exchanged(out_.front(), false);
       return;
     }
     const auto east = find(Quantity::East), north = find(Quantity::North), down = find(Quantity::Down);
@@ -137,7 +154,7 @@ class PositionReader {
     }
     const auto x = find(Quantity::X), y = find(Quantity::Y);
     const auto z = first_of({Quantity::Z, Quantity::Height, Quantity::SeaHeight, Quantity::Up});
-    if (!x || !y || !z) return;
+    if (!x || !y || !z || is_geocentric(table_, {*x, *y, *z})) return;
     PositionReading reading{.at = {*x, *y, *z}, .by_name = true};
     finish(reading);
     out_.push_back(std::move(reading));
@@ -184,14 +201,16 @@ class PositionReader {
           add({.at = {exchanged ? i + 1 : i, exchanged ? i : i + 1, i + 2}, .geodetic = true, .unit_rad = unit_rad},
               exchanged ? 0.9 : 1.0);
         }
-      add({.at = {i, i + 1, i + 2}}, 0.5);
+      if (!is_geocentric(table_, {i, i + 1, i + 2})) add({.at = {i, i + 1, i + 2}}, 0.5);
     }
     std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
     if (found.size() > kMostReadings) found.erase(found.begin() + kMostReadings, found.end());
     for (auto& [weight, reading] : found) {
       finish(reading);
       out_.push_back(reading);
-      if (!reading.geodetic) add_exchanged(std::move(reading), false);
+      if (reading.geodetic) continue;
+      add_exchanged(reading, false);
+      add_exchanged(std::move(reading), true);
     }
   }
 
@@ -202,6 +221,14 @@ class PositionReader {
 };
 
 }  // namespace
+
+bool has_geocentric_columns(const SampledTable& table) {
+  for (std::size_t i = 0; i + 2 < table.columns.size(); ++i)
+    if (table.columns[i].numeric && table.columns[i + 1].numeric && table.columns[i + 2].numeric &&
+        is_geocentric(table, {i, i + 1, i + 2}))
+      return true;
+  return false;
+}
 
 std::vector<PositionReading> position_readings(const SampledTable& table, const ColumnNames& names,
                                                const TimeReading& time) {

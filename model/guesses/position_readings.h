@@ -15,7 +15,7 @@ struct PositionReading {
   std::array<std::size_t, 3> at{};  ///< latitude, longitude, height; or x, y, z; or east, north, up
   bool geodetic = false;
   bool on_axes = false;    ///< named as east and north
-  bool exchanged = false;  ///< x counts north and y east, though they are not called so
+  bool exchanged = false;  ///< x counts north and y east though they are not called so, latitude is called longitude
   bool down = false;       ///< the third counts downwards
   double unit_rad = 1.0;   ///< of latitude and longitude
   bool by_name = false, unit_by_name = false;
@@ -23,6 +23,9 @@ struct PositionReading {
   std::vector<Eigen::Vector3d> metres{};  ///< of the sampled rows, from the first; NaN where there is none
   double way_m = 0.0;
 };
+
+/// Whether three columns side by side count metres from the middle of the earth, which no manifest can have.
+bool has_geocentric_columns(const SampledTable& table);
 
 /// The likeliest first: those that names say, else those that move as a vehicle does. Of x, y and z also as north, east
 /// and up or down: which it is, the direction of travel tells beside an attitude, or not at all.

@@ -10,6 +10,7 @@
 #include "messages/guesses.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/guesses/column_names.h"
+#include "model/guesses/table_titles.h"
 
 namespace remount::guesses {
 namespace {
@@ -109,56 +110,6 @@ bool is_row(std::string_view line, const Parting& parting, std::vector<std::stri
   return 2 * static_cast<std::size_t>(values) >= filled;
 }
 
-/// Words that are titles: what stands in brackets belongs to the one before it.
-std::vector<std::string> titles_between_blanks(std::string_view line) {
-  std::vector<std::string_view> words;
-  line = formats::trim(line);
-  while (line.starts_with('#') || line.starts_with('%')) line = formats::trim(line.substr(1));
-  formats::split_blanks(line, words);
-  std::vector<std::string> titles;
-  for (const std::string_view word : words) {
-    if ((word.starts_with('(') || word.starts_with('[')) && !titles.empty())
-      titles.back() += " " + std::string(word);
-    else
-      titles.emplace_back(word);
-  }
-  return titles;
-}
-
-/// Bytes that end a line of a terminal, or a comment of a manifest, are no part of a title.
-std::string shown_title(std::string_view title) {
-  std::string shown(title.substr(0, 60));
-  std::erase_if(shown, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
-  return shown;
-}
-
-std::vector<std::string> titles_of(std::string_view line, const Parting& parting) {
-  std::vector<std::string> titles;
-  if (parting.text.separator == ' ') {
-    titles = titles_between_blanks(line);
-  } else {
-    titles = formats::CsvHeader(line, parting.text.separator).names();
-    if (!titles.empty() && titles[0].starts_with('%')) titles[0] = formats::trim(titles[0].substr(1));
-  }
-  while (titles.size() > parting.fields && titles.back().empty()) titles.pop_back();
-  return titles;
-}
-
-/// Whether a manifest can name columns by that line: as its reader takes it apart, each by a word of its own.
-bool names_columns(std::string_view line, const Parting& parting) {
-  std::string memory;
-  const formats::CsvHeader header(formats::with_points(line, parting.text, memory), parting.text.separator);
-  std::vector<std::string> names = header.names();
-  while (names.size() > parting.fields && names.back().empty()) names.pop_back();
-  // What is written otherwise above the columns than the reader takes it would not be found.
-  if (names.size() != parting.fields || names != titles_of(line, parting)) return false;
-  for (const std::string& name : names)
-    if (name.empty() || formats::parse_integer(name) || name != shown_title(name) || name.find('"') != name.npos)
-      return false;
-  std::ranges::sort(names);
-  return std::ranges::adjacent_find(names) == names.end();
-}
-
 /// What stands above the rows.
 struct Head {
   std::size_t row_line = 0;  ///< of the first row, from 1; 0: there is none
@@ -182,19 +133,24 @@ Head head_of(std::string_view text, const Parting& parting) {
       above.push_back({lines.line_number(), line});
   }
   if (head.row_line == 0) return head;
-  // From below: titles, or units with titles above them.
-  const auto some_words = [&](const Line& line) { return titles_of(line.text, parting).size() == parting.fields; };
-  if (above.empty() || !some_words(above.back())) return head;
-  head.titles = titles_of(above.back().text, parting);
-  if (above.size() > 1 && some_words(above[above.size() - 2]) &&
-      above[above.size() - 2].number + 1 == above.back().number) {
+  // From below: titles, or units with titles above them. Between them and the rows a remark may stand.
+  if (!above.empty() && is_remark(above.back().text) &&
+      fitting_titles(above.back().text, parting.text, parting.fields).empty())
+    above.pop_back();
+  if (above.empty()) return head;
+  head.titles = fitting_titles(above.back().text, parting.text, parting.fields);
+  if (head.titles.empty()) return head;
+  const auto above_them = above.size() > 1 && above[above.size() - 2].number + 1 == above.back().number
+                              ? fitting_titles(above[above.size() - 2].text, parting.text, parting.fields)
+                              : std::vector<std::string>();
+  if (!above_them.empty()) {
     const auto units = std::ranges::count_if(head.titles, [](const std::string& title) {
       return title.empty() || title.starts_with('(') || title.starts_with('[') || title.starts_with("deg") ||
              is_unit(title);
     });
     if (2 * static_cast<std::size_t>(units) > head.titles.size()) {
       head.units = std::move(head.titles);
-      head.titles = titles_of(above[above.size() - 2].text, parting);
+      head.titles = above_them;
       return head;  // by numbers: the units would be a row
     }
   }
@@ -206,7 +162,8 @@ Head head_of(std::string_view text, const Parting& parting) {
     if (again.line_number() > above.back().number && !formats::trim(line).empty() && !is_comment(line))
       only_comments_between = false;
   }
-  if (only_comments_between && names_columns(names, parting)) head.names_line = above.back().number;
+  if (only_comments_between && names_columns(names, parting.text, parting.fields))
+    head.names_line = above.back().number;
   return head;
 }
 
@@ -346,8 +303,9 @@ std::optional<SampledTable> sample_table(const std::filesystem::path& path, std:
     if (!formats::trim(line).empty() && !is_comment(line)) lines.push_back(line);
   const Parting parting = best_parting(lines);
   if (parting.fields == 0) return std::nullopt;
-  const Head head = head_of(text, parting);
+  Head head = head_of(text, parting);
   if (head.row_line == 0) return std::nullopt;
+  decode_titles(head.titles, head.units);
   SampledTable table;
   table.path = path;
   table.text = parting.text;

@@ -25,6 +25,7 @@
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/pipeline/suspect_stage.h"
+#include "model/results/disagreement.h"
 #include "model/results/nominal_check.h"
 
 namespace remount::pipeline {
@@ -220,6 +221,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   report_clock(input, output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
   results::report_nominal(input.nominal_ins_from_lidar, output.result, output.findings);
+  results::report_disagreement(output.result, output.findings);
   return output;
 }
 
@@ -251,6 +253,7 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   tell_beams(solved);
   report_mended_beams(std::nullopt, solved);
   results::report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
+  results::report_disagreement(solved.result, solved.findings);
   mark_if_cut_short(solved);
   output = std::move(solved);
   return true;

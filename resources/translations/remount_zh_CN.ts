@@ -246,6 +246,10 @@
         <source>Tables (*.csv *.txt *.tsv *.dat *.asc *.log *.pos);;All files (*)</source>
         <translation>表格 (*.csv *.txt *.tsv *.dat *.asc *.log *.pos);;所有文件 (*)</translation>
     </message>
+    <message>
+        <source>It cannot be opened: %1</source>
+        <translation>无法打开：%1</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::InputFiles</name>

@@ -29,6 +29,7 @@ constexpr std::int64_t kTimeUnits_ns[] = {1'000'000'000, 1'000'000, 1'000, 1, 0}
 constexpr double kMostOffset_s = 3.9e9;
 
 QColor (*sureness_color(Sureness sureness))(const QPalette&) {
+  if (sureness == Sureness::Chosen) return faded_color;  // what it is worth the checks say
   return sureness == Sureness::Open ? bad_color : sureness == Sureness::Likely ? warning_color : good_color;
 }
 

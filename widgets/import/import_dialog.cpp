@@ -55,7 +55,7 @@ ImportDialog::ImportDialog(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(about_table_);
   column->addWidget(columns_, 3);
-  column->addWidget(conventions_, 3);
+  column->addWidget(conventions_, 6);
   column->addLayout(below, 4);
   auto* split = new QSplitter(this);
   split->addWidget(make_files());

@@ -11,11 +11,14 @@ namespace remount::gui {
 
 ImportFeature::ImportFeature(MainWindow& window) : Feature(window) {
   window.menus().add(MenuPlace::OpenDrive, tr("&Import a table…"), tr("Ctrl+I"), [this] { ask_for_table(); });
-  connect(&workbench_.sessions(), &SessionList::not_recognised, this, [this](const QString& path) {
-    workbench_.notices().offer(tr("Import a table…"), [self = QPointer(this), path] {
-      if (self) self->import(path);
-    });
-  });
+  connect(&workbench_.sessions(), &SessionList::not_recognised, this, &ImportFeature::offer);
+  connect(&workbench_.sessions(), &SessionList::half_opened, this, &ImportFeature::offer);
+  // The page lies over the window: why its manifest cannot be opened is said on it, too.
+  connect(&workbench_.notices(), &Notices::message, this,
+          [this](drive::Severity severity, const QString& where, const QString& what) {
+            if (severity != drive::Severity::Problem || opening_.isEmpty() || !dialog_) return;
+            if (where.startsWith(opening_)) dialog_->show_note(tr("It cannot be opened: %1").arg(what));
+          });
   connect(&workbench_.sessions(), &SessionList::session_opened, this, [this](const QString& path) {
     if (opening_.isEmpty() || QFileInfo(path) != QFileInfo(opening_)) return;
     opening_.clear();
@@ -29,6 +32,12 @@ bool ImportFeature::may_close(const std::function<void()>& again) {
   disconnect(closing_);  // who tries twice is asked once
   closing_ = connect(controller_, &ImportController::save_ended, this, again, kOnce);
   return false;
+}
+
+void ImportFeature::offer(const QString& path) {
+  workbench_.notices().offer(tr("Import a table…"), [self = QPointer(this), path] {
+    if (self) self->import(path);
+  });
 }
 
 void ImportFeature::ask_for_table() {

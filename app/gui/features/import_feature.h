@@ -19,6 +19,7 @@ class ImportFeature : public Feature {
   ImportController* controller() const { return controller_; }  ///< of the page that is shown; null where none is
 
  private:
+  void offer(const QString& path);  ///< behind the last message
   void ask_for_table();
   widgets::ImportDialog* make_dialog();
   void open(const QString& manifest);

@@ -198,6 +198,7 @@ void SessionList::tell_findings(const drive::Session& session) {
       desk_.notices.say(finding.severity, where, what);
     else
       desk_.notices.log(finding.severity, where, what);
+    if (finding.code == "one-stream") emit half_opened(QString::fromStdString(session.path.string()));
   }
 }
 
