@@ -206,6 +206,7 @@ def main():
         write(target, "reference/settings.md", settings_page(program, language))
         write(target, "reference/verbs.md", verbs_page(program, language))
         write(target, "reference/window-help.md", window_page(language))
+    shutil.copytree(os.path.join(ROOT, "packaging/site/theme"), os.path.join(folder, "theme"))
     write(folder, "en.yml", configuration("packaging/site/mkdocs.yml"))
     write(folder, "zh_CN.yml", configuration("packaging/site/mkdocs.zh_CN.yml"))
 
