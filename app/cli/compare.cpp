@@ -12,6 +12,7 @@
 #include "messages/command_line.h"
 #include "messages/report.h"
 #include "messages/rig.h"
+#include "model/formats/files/input_file.h"
 #include "model/report/vehicle_comparison.h"
 #include "model/results/display_units.h"
 
@@ -161,6 +162,8 @@ int compare_vehicle_files(const std::vector<std::string>& paths, Console& consol
 }
 
 int compare(const CompareArguments& arguments, Console& console) {
+  // A file that is missing would be called the result of one.
+  for (const std::string& path : arguments.results) (void)formats::read_file_head(path, 1);
   const bool any_vehicle =
       std::ranges::any_of(arguments.results, [](const std::string& path) { return results::is_vehicle_file(path); });
   if (!any_vehicle && !arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());

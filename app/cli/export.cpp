@@ -140,9 +140,11 @@ int export_several(results::VehicleFile vehicle, const ExportArguments& argument
 int export_result(const ExportArguments& arguments, Console& console) {
   (void)results::exporter(arguments.format);
   if (!results::is_vehicle_file(arguments.result)) {
+    // First, or a file that is missing would be called the result of one.
+    const results::ResultFile one = results::load_result(arguments.result);
     for (const auto& [option, text] : {std::pair("--lidar", arguments.lidar), {"--relative-to", arguments.relative_to}})
       if (!text.empty()) throw Error(ErrorCode::Contract, option, say::export_of_vehicle());
-    return export_one(results::load_result(arguments.result), names_of_one(arguments), arguments, console);
+    return export_one(one, names_of_one(arguments), arguments, console);
   }
   const results::VehicleFile vehicle = results::load_vehicle(arguments.result);
   if (arguments.lidar.empty()) return export_several(vehicle, arguments, console);

@@ -76,8 +76,9 @@ drive::Session open_with_lidar(const std::filesystem::path& recording, drive::To
 
 std::optional<results::LidarResult> result_of_lidar(const std::filesystem::path& path, const std::string& lidar) {
   if (!results::is_vehicle_file(path)) {
-    if (!lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
-    return {};
+    if (lidar.empty()) return {};
+    (void)formats::read_file_head(path, 1);  // or one that is missing would be called the result of one
+    throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
   }
   const results::VehicleFile vehicle = results::load_vehicle(path);
   if (lidar.empty())

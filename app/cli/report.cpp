@@ -52,9 +52,9 @@ class MadeOf {
 std::optional<results::VehicleFile> load_reported(const ReportArguments& arguments, report::Report& report) {
   const bool several = results::is_vehicle_file(arguments.result);
   report.lidar = arguments.lidar;
-  if (!several && !arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
   if (!several) {
     report.file = results::load_result(arguments.result);
+    if (!arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
     return {};
   }
   results::VehicleFile vehicle = results::load_vehicle(arguments.result);

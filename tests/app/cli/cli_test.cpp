@@ -109,6 +109,11 @@ TEST_F(cli, unreadable_input_is_exit_code_2_and_named) {
       {"solve " + path("none.csv"), "none.csv"},
       {"solve " + path(""), path("")},
       {"export " + path("broken.yaml") + " --to ros2", "broken.yaml"},
+      {"export " + path("none.yaml") + " --to kitti --lidar rear", "none.yaml"},
+      {"export " + path("none.yaml") + " --to urdf --relative-to front", "none.yaml"},
+      {"report " + path("none.yaml") + " --lidar rear -o " + path("none.html"), "none.yaml"},
+      {"compare " + path("none.yaml") + " " + path("none.json") + " --lidar rear", "none.yaml"},
+      {"obstacles " + path("drive") + " --scan 0 --lidar rear --result " + path("none.yaml"), "none.yaml"},
       {"inspect " + path("empty"), "empty"},
       {"obstacles " + path("drive") + " --scan 0 --result " + path("none.yaml"), "none.yaml"}};
   for (const auto& [arguments, named] : cases) {

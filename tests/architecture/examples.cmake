@@ -1,0 +1,71 @@
+# Examples of documents can be typed: each `remount-cli …` of a block of shell or of code quotes is run where none of its
+# files is. That must end for the files that are missing, never for how the program is used (exit code 1).
+# Arguments: SOURCE, PROGRAM.
+cmake_policy(VERSION 3.25)
+file(GLOB_RECURSE documents RELATIVE ${SOURCE} ${SOURCE}/docs/*.md ${SOURCE}/resources/*.md)
+file(GLOB top_documents RELATIVE ${SOURCE} ${SOURCE}/*.md)
+list(APPEND documents ${top_documents})
+list(REMOVE_ITEM documents CHANGELOG.md)
+
+set(commands "")  # and of each the document that has it first, in documents_of_commands
+set(documents_of_commands "")
+foreach(document ${documents})
+  file(READ ${SOURCE}/${document} text)
+  # What cannot stand in a list of CMake; what has such signs is no whole command, but a pattern of one.
+  string(REGEX REPLACE "[][;]" "…" text "${text}")
+  string(REGEX REPLACE " *\\\\\n *" " " text "${text}")
+  string(REGEX MATCHALL "\n```sh\n[^`]*" blocks "${text}")
+  string(REGEX MATCHALL "\n[a-z/]*remount-cli [^\n]*" found "${blocks}")
+  string(REGEX MATCHALL "`remount-cli [a-z][^`]*`" quoted "${text}")
+  foreach(command IN LISTS found quoted)
+    string(REGEX REPLACE "[`\n]+" " " command "${command}")
+    string(REGEX REPLACE " +#.*| *[|>&] .*" "" command "${command}")
+    string(STRIP "${command}" command)
+    if(NOT command MATCHES "…|[<{]| VERB" AND NOT command IN_LIST commands)
+      list(APPEND commands "${command}")
+      list(APPEND documents_of_commands ${document})
+    endif()
+  endforeach()
+endforeach()
+
+# A place that is empty for each, but for "taken", a file: nothing can be written below it.
+string(RANDOM LENGTH 12 name)
+set(place $ENV{TMPDIR})
+if(NOT place)
+  set(place /tmp)
+endif()
+set(place ${place}/remount-examples-${name})
+
+set(failures "")
+foreach(example document IN ZIP_LISTS commands documents_of_commands)
+  file(REMOVE_RECURSE ${place})
+  file(MAKE_DIRECTORY ${place})
+  file(WRITE ${place}/taken "")
+  string(REGEX REPLACE " /(tmp|data)/" " taken/" command "${example}")
+  string(REPLACE "--scan N" "--scan 1" command "${command}")
+  string(REPLACE "--to FORMAT" "--to yaml" command "${command}")
+  separate_arguments(words UNIX_COMMAND "${command}")
+  list(POP_FRONT words)
+  list(LENGTH words count)
+  if(count EQUAL 1)  # the name of a verb
+    list(APPEND words --help)
+  endif()
+  execute_process(COMMAND ${PROGRAM} ${words} WORKING_DIRECTORY ${place} RESULT_VARIABLE code OUTPUT_QUIET
+                  ERROR_VARIABLE said TIMEOUT 20)
+  # In a sentence a command may be named by the options that matter, without what it needs besides.
+  if(NOT code MATCHES "^[023]$" AND NOT said MATCHES " is required")
+    string(STRIP "${said}" said)
+    list(APPEND failures "${document}: ${example} (${code}: ${said})")
+  endif()
+endforeach()
+file(REMOVE_RECURSE ${place})
+
+list(LENGTH commands count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "no examples were found: is ${SOURCE} the root of the sources?")
+endif()
+if(failures)
+  list(JOIN failures "\n" text)
+  message(FATAL_ERROR "examples that cannot be typed:\n${text}")
+endif()
+message(STATUS "${count} examples of documents can be typed")
