@@ -1,6 +1,8 @@
 # Imported targets for the parts of PCL in use. find_package(PCL) cannot be used together with Qt 6 on Debian 12:
 # it always pulls VTK's Qt 5 module. None of these libraries needs VTK; pcl_io, which does, is not used.
 find_path(REMOUNT_PCL_INCLUDE_DIR pcl/point_types.h PATH_SUFFIXES pcl-1.13 pcl-1.14 pcl-1.12 pcl-1.15 REQUIRED)
+file(STRINGS ${REMOUNT_PCL_INCLUDE_DIR}/pcl/pcl_config.h REMOUNT_PCL_VERSION REGEX "define PCL_VERSION_PRETTY ")
+string(REGEX REPLACE ".*\"(.*)\".*" "\\1" REMOUNT_PCL_VERSION "${REMOUNT_PCL_VERSION}")
 add_library(remount_pcl INTERFACE)
 target_include_directories(remount_pcl SYSTEM INTERFACE ${REMOUNT_PCL_INCLUDE_DIR})
 foreach(part common kdtree octree search sample_consensus filters features registration)

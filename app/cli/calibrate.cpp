@@ -13,6 +13,7 @@
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/calibrate_vehicle.h"
+#include "app/cli/choices.h"
 #include "app/cli/finish.h"
 #include "app/cli/lidar_choice.h"
 #include "app/cli/named_measured.h"
@@ -291,7 +292,7 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
     needs.push_back(say::help_method_needs(methods.back(), method->needs()));
   }
   verb->add_option("--method", arguments->method, console.words(say::help_method(in_one(std::move(needs)))))
-      ->check(CLI::IsMember(methods))
+      ->check(one_of(methods))
       ->type_name("NAME");
   verb->add_flag("--follow", arguments->follow, console.words(say::help_follow()));
   verb->add_option("--settled", arguments->settled_s, console.words(say::help_settled()))

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "app/cli/choices.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
@@ -163,9 +164,13 @@ void add_export(CLI::App& app, Console& console, Run& run) {
   CLI::App* verb = app.add_subcommand("export", console.words(say::help_export()));
   verb->add_option("result", arguments->result, console.words(say::help_result()))->type_name("RESULT")->required();
   std::vector<Message> formats;
-  for (const auto& format : results::exporters())
+  std::vector<std::string> ids;
+  for (const auto& format : results::exporters()) {
+    ids.emplace_back(format->id());
     formats.push_back(say::help_export_format(std::string(format->id()), format->description(), format->direction()));
+  }
   verb->add_option("--to", arguments->format, console.words(say::help_export_formats(std::move(formats))))
+      ->check(completed_by(ids))
       ->type_name("FORMAT")
       ->required();
   verb->add_option("-o,--output", arguments->output, console.words(say::help_export_output()))

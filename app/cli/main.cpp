@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "algorithms/core/error.h"
+#include "app/cli/choices.h"
+#include "app/cli/program_words.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
@@ -41,9 +43,25 @@ void add_common_options(CLI::App& app, Console& console) {
   app.add_option_function<std::string>(
          "--language", [&console](const std::string& tag) { console.options().language = language_of(tag); },
          console.words(say::help_language()))
-      ->check(CLI::IsMember(languages).description(""))
+      ->check(one_of(languages).description(""))
       ->default_str(languages.front())
       ->type_name("zh_CN|en");
+}
+
+/// What packages and shells are made of. Written as the help is: nothing else of the command line is looked at.
+void add_program_words(CLI::App& app, const Console& console) {
+  const std::vector<std::string> shells{"bash", "zsh"};
+  app.add_option_function<std::string>(
+         "--completion",
+         [&app](const std::string& shell) {
+           throw CLI::CallForVersion(shell == "zsh" ? zsh_completion(app) : bash_completion(app), kSolved);
+         },
+         console.words(say::help_completion()))
+      ->check(one_of(shells).description(""))
+      ->type_name("bash|zsh");
+  app.add_flag_callback(
+      "--man-page", [&app, &console] { throw CLI::CallForVersion(man_page(app, console.options().language), kSolved); },
+      console.words(say::help_man_page()));
 }
 
 /// Verbs say what their options mean as they are added, before anything is parsed.
@@ -78,9 +96,10 @@ int run_main(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough();
   add_common_options(app, console);
+  add_program_words(app, console);
   Run run;
   for (const auto add : {add_inspect, add_describe, add_calibrate, add_solve, add_export, add_beams, add_compare,
-                         add_report, add_obstacles, add_odometry, add_batch, add_simulate, add_settings})
+                         add_report, add_obstacles, add_odometry, add_batch, add_simulate, add_settings, add_doctor})
     add(app, console, run);
   // Verbs have their help flag before they take over how options are grouped.
   for (CLI::App* verb : app.get_subcommands({})) verb->get_help_ptr()->group(console.words(say::help_options()));
@@ -92,7 +111,10 @@ int run_main(int argc, char** argv) {
     console.deliver(text.str());
     return console.end(code);
   } catch (const CLI::ParseError& problem) {
-    if (app.get_subcommands().empty())
+    // Of what stands before a verb, the verb is not yet known.
+    if (app.get_subcommands().empty() && dynamic_cast<const CLI::ValidationError*>(&problem) != nullptr)
+      console.complain(say::cli_wrong_option(problem.what()));
+    else if (app.get_subcommands().empty())
       console.complain(no_verb(app));
     else
       console.complain(say::cli_wrong_usage(problem.what(), app.get_subcommands().front()->get_name()));

@@ -9,6 +9,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/core/options.h"
 #include "algorithms/messages/render.h"
+#include "app/cli/choices.h"
 #include "messages/command_line.h"
 #include "model/formats/documents/document.h"
 
@@ -53,7 +54,7 @@ struct OptionAdder {
     const Message help = Message::sequence({info.help(), say::cli_one_of(known)});
     CLI::Option* option = verb.add_option_function<std::string>(positional ? std::string(info.name) : flag(info),
                                                                 assign, render(help, language));
-    option->check(CLI::IsMember(known).description(""));
+    option->check(one_of(known).description(""));
     if (positional)
       option->required()->type_name("SCENARIO");
     else

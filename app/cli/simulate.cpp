@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/cli/arguments.h"
+#include "app/cli/choices.h"
 #include "app/cli/mount_argument.h"
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
@@ -49,7 +50,7 @@ void add_simulate(CLI::App& app, Console& console, Run& run) {
   simulator::SimulationOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
   verb->add_option("out", arguments->folder, console.words(say::help_folder_to_write()))->type_name("OUT")->required();
   verb->add_option("--format", arguments->format, console.words(say::help_format_of_simulation()))
-      ->check(CLI::IsMember(simulator::drive_formats()))
+      ->check(one_of(simulator::drive_formats()))
       ->capture_default_str();
   verb->add_option("--ins-from-lidar", arguments->mounting, console.words(say::help_true_mounting()))->type_name("SIX");
   verb->add_option("--mount", arguments->mounts, console.words(say::help_mount()))

@@ -24,5 +24,6 @@ void add_odometry(CLI::App& app, Console& console, Run& run);
 void add_simulate(CLI::App& app, Console& console, Run& run);
 void add_batch(CLI::App& app, Console& console, Run& run);
 void add_settings(CLI::App& app, Console& console, Run& run);
+void add_doctor(CLI::App& app, Console& console, Run& run);
 
 }  // namespace remount::cli

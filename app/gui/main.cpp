@@ -1,6 +1,7 @@
 // remount [SESSION…]: the window.
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 #include <QStandardPaths>
 #include <QTimer>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "remount_version.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/basics/theme.h"
+#include "widgets/basics/toolkits.h"
 
 namespace {
 
@@ -40,16 +42,23 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("Remount");
   QApplication::setOrganizationName("Remount");
   QApplication::setApplicationVersion(remount::kVersion);
+  // By these the desktop knows whose window it is.
+  QApplication::setDesktopFileName("remount");
+  QApplication::setWindowIcon(QIcon::fromTheme("remount"));
   remount::gui::speak(remount::gui::preferred_language(), false);
   QCommandLineParser parser;
   parser.setApplicationDescription(
       QApplication::translate("main", "Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS."));
   parser.addHelpOption();
-  parser.addVersionOption();
+  const QCommandLineOption version = parser.addVersionOption();
   const QCommandLineOption sample("sample", QApplication::translate("main", "Open the bundled sample session."));
   parser.addOption(sample);
   parser.addPositionalArgument(
       "session", QApplication::translate("main", "Sessions (folders or files) or a project to open."), "[SESSION…]");
+  if (parser.parse(QApplication::arguments()) && parser.isSet(version)) {
+    std::cout << "Remount " << remount::kVersion << "\n" << remount::widgets::toolkit_versions().toStdString() << "\n";
+    return 0;
+  }
   parser.process(application);
 
   remount::gui::Workbench workbench(remount::gui::model_engine());

@@ -7,10 +7,9 @@
 namespace remount::gui {
 
 QString sample_path() {
-  const QDir beside(QCoreApplication::applicationDirPath());
-  for (const QString& path : {beside.filePath("../share/remount/sample"), QStringLiteral(REMOUNT_SOURCE_SAMPLE)})
-    if (QFileInfo(path).isDir()) return QDir(path).canonicalPath();
-  return {};
+  // In the build tree as well (app/CMakeLists.txt).
+  const QString path = QDir(QCoreApplication::applicationDirPath()).filePath("../share/remount/sample");
+  return QFileInfo(path).isDir() ? QDir(path).canonicalPath() : QString();
 }
 
 }  // namespace remount::gui

@@ -10,6 +10,7 @@
 #include "app/gui/features/project_feature.h"
 #include "app/gui/shell/main_window.h"
 #include "remount_version.h"
+#include "widgets/basics/toolkits.h"
 #include "widgets/shell/help_window.h"
 
 namespace remount::gui {
@@ -45,10 +46,13 @@ void HelpFeature::show_page(const QString& page) {
 }
 
 void HelpFeature::show_about() {
+  QString made_of = widgets::toolkit_versions();
+  if (const QString opengl = widgets::opengl_name(); !opengl.isEmpty()) made_of += "<br>" + opengl.toHtmlEscaped();
   QMessageBox::about(&window_, tr("About Remount"),
                      tr("<b>Remount %1</b><p>Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, "
                         "from recorded drives.</p>")
-                         .arg(QString::fromUtf8(kVersion)));
+                             .arg(QString::fromUtf8(kVersion)) +
+                         "<p>" + made_of);
 }
 
 }  // namespace remount::gui

@@ -95,7 +95,7 @@ TEST_F(cli_language, help_speaks_it) {
   EXPECT_EQ(program.code, 0) << program.err;
   for (const char* said : {"用法:", "选项:", "命令:", "退出码：", "只打印错误"}) expect_contains(program.out, said);
   for (const char* verb : {"inspect", "calibrate", "solve", "export", "beams", "compare", "report", "obstacles",
-                           "odometry", "batch", "simulate", "settings"}) {
+                           "odometry", "batch", "simulate", "settings", "doctor"}) {
     const std::string arguments = std::string(verb) + " --help";
     const Outcome help = run("--language=zh_CN " + arguments);
     EXPECT_EQ(help.code, 0) << verb << help.err;

@@ -1,0 +1,128 @@
+#include <algorithm>
+
+#include "app/cli/program_words.h"
+#include "remount_version.h"
+
+namespace remount::cli {
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::string names_of(const std::vector<CLI::App*>& verbs, const std::string& between) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+  return joined(names, between);
+}
+
+std::string flags_of(const std::vector<OptionWords>& options) {
+  std::vector<std::string> flags;
+  for (const OptionWords& option : options) flags.insert(flags.end(), option.names.begin(), option.names.end());
+  return joined(flags, " ");
+}
+
+/// Lines of a case: what stands behind the options of a verb ("*": of any).
+std::string bash_values(const std::string& verb, const std::vector<OptionWords>& options) {
+  std::string lines;
+  for (const OptionWords& option : options) {
+    if (option.names.empty() || option.argument.empty()) continue;
+    std::vector<std::string> patterns;
+    for (const std::string& name : option.names) patterns.push_back(verb + ":" + name);
+    lines += "    " + joined(patterns, "|") + ")";
+    lines += option.choices.empty() ? " return ;;\n" : " words='" + joined(option.choices, " ") + "' ;;\n";
+  }
+  return lines;
+}
+
+/// The words that come where no value of an option is asked for: options behind a dash, else what the arguments can be.
+std::string bash_words(const std::vector<OptionWords>& options, const std::string& common) {
+  std::vector<std::string> choices;
+  for (const OptionWords& option : options)
+    if (option.names.empty()) choices.insert(choices.end(), option.choices.begin(), option.choices.end());
+  return "if [[ $word == -* ]]; then words='" + flags_of(options) + common + "'; else words='" + joined(choices, " ") +
+         "'; fi";
+}
+
+/// The first clause of what an option means, in letters that have no meaning in a quoted specification of zsh.
+std::string zsh_brief(std::string text) {
+  for (const char* end : {"\n", ": ", "; ", ". ", " ("}) text = text.substr(0, text.find(end));
+  std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == '\'' || c == ':' || c == '\\' || c == '"'; });
+  return text;
+}
+
+std::string zsh_value(const OptionWords& option) {
+  const std::string what =
+      option.argument.empty() ? "" : ":" + zsh_brief(option.argument.substr(0, option.argument.find(':')));
+  if (option.argument.empty()) return "";
+  return what + ":" + (option.choices.empty() ? "_files" : "(" + joined(option.choices, " ") + ")");
+}
+
+/// Specifications for _arguments, a word each; the first argument is the verb.
+std::string zsh_specifications(const std::vector<OptionWords>& options) {
+  std::string lines;
+  int place = 2;
+  for (const OptionWords& option : options) {
+    if (option.names.empty()) {
+      lines += "      '" + (option.several ? "*" : std::to_string(place++)) + zsh_value(option) + "'\n";
+      continue;
+    }
+    for (const std::string& name : option.names)
+      lines += "      '*" + name + "[" + zsh_brief(option.meaning) + "]" + zsh_value(option) + "'\n";
+  }
+  return lines;
+}
+
+std::string written_by(const char* shell) {
+  return "# Written by remount-cli " + std::string(kVersion) + " --completion " + shell + "\n";
+}
+
+/// Bash and zsh alike: the verb is the first word that is one.
+std::string find_verb(const std::vector<CLI::App*>& verbs, const std::string& words) {
+  return "  for i in " + words + "; do\n    case $i in " + names_of(verbs, "|") + ") verb=$i; break ;; esac\n  done\n";
+}
+
+}  // namespace
+
+std::string bash_completion(CLI::App& program) {
+  const std::vector<CLI::App*> verbs = verbs_of(program);
+  const std::vector<OptionWords> common = options_of(program);
+  std::string text = written_by("bash") +
+                     "_remount_cli() {\n"
+                     "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} verb= words= i\n"
+                     "  COMPREPLY=()\n" +
+                     find_verb(verbs, "\"${COMP_WORDS[@]:1:COMP_CWORD-1}\"") + "  case $verb:$before in\n" +
+                     bash_values("*", common);
+  for (CLI::App* verb : verbs) text += bash_values(verb->get_name(), options_of(*verb));
+  text += "    :*) words='" + names_of(verbs, " ") + " " + flags_of(common) + "' ;;\n";
+  for (CLI::App* verb : verbs)
+    text += "    " + verb->get_name() + ":*) " + bash_words(options_of(*verb), " " + flags_of(common)) + " ;;\n";
+  return text +
+         "  esac\n"
+         "  COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+         "}\n"
+         "complete -o bashdefault -o default -F _remount_cli remount-cli\n";
+}
+
+std::string zsh_completion(CLI::App& program) {
+  const std::vector<CLI::App*> verbs = verbs_of(program);
+  std::string text = "#compdef remount-cli\n" + written_by("zsh") + "local verb i\nlocal -a verbs common\nverbs=(\n";
+  for (const CLI::App* verb : verbs)
+    text += "  '" + verb->get_name() + ":" + zsh_brief(verb->get_description()) + "'\n";
+  text += ")\ncommon=(\n" + zsh_specifications(options_of(program)) + ")\n" +
+          find_verb(verbs, "${words[2,CURRENT-1]}") +
+          "case $verb in\n"
+          "  '') if [[ $PREFIX == -* ]]; then _arguments $common; else _describe -t commands verb verbs; fi ;;\n";
+  for (CLI::App* verb : verbs)
+    text += "  " + verb->get_name() + ") _arguments $common '1: :' \\\n" + [&] {
+      std::string lines = zsh_specifications(options_of(*verb));
+      for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 3))
+        lines.replace(at, 1, " \\\n");
+      return lines;
+    }() + "      && return 0 ;;\n";
+  return text + "esac\n";
+}
+
+}  // namespace remount::cli

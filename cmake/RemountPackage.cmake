@@ -1,0 +1,125 @@
+# What is installed, in two components: cli and window. packaging/deb makes a package of each.
+# What the programs write of themselves (man pages, completions) is made by the target package_files, which
+# packaging/deb builds: `cmake --install` leaves out what is not there.
+include(GNUInstallDirs)
+# Who answers for the packages. To be replaced by whoever publishes them.
+set(REMOUNT_MAINTAINER "Remount developers <remount@localhost.invalid>" CACHE STRING "Maintainer of the packages")
+set(REMOUNT_PACKAGE_REVISION 1 CACHE STRING "Revision of the packages, behind the version of the program")
+set(package_files ${CMAKE_SOURCE_DIR}/packaging/files)
+set(made ${CMAKE_BINARY_DIR}/package)
+set(made_files "")
+
+# SOURCE_DATE_EPOCH in the environment makes these, and the packages, the same again.
+string(TIMESTAMP REMOUNT_PACKAGE_DAY "%Y-%m-%d" UTC)
+string(TIMESTAMP REMOUNT_PACKAGE_TIME "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file(${package_files}/invalid.localhost.remount.metainfo.xml.in ${made}/invalid.localhost.remount.metainfo.xml @ONLY)
+configure_file(${package_files}/changelog.Debian.in ${made}/changelog.Debian @ONLY)
+
+# remount_made(FILE DEPENDS … COMMAND …): the standard output of the command, compressed where the name ends so.
+function(remount_made file)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;COMMAND" ${ARGN})
+  set(compress "")
+  if(file MATCHES "\\.gz$")
+    set(compress | gzip -9n)
+  endif()
+  cmake_path(GET file PARENT_PATH folder)
+  file(MAKE_DIRECTORY ${made}/${folder})
+  add_custom_command(OUTPUT ${made}/${file} COMMAND ${ARG_COMMAND} ${compress} > ${made}/${file}
+    DEPENDS ${ARG_DEPENDS} COMMENT "Package: ${file}" VERBATIM)
+  list(APPEND made_files ${made}/${file})
+  set(made_files ${made_files} PARENT_SCOPE)
+endfunction()
+
+function(remount_install_documents package component)
+  set(folder ${CMAKE_INSTALL_DATADIR}/doc/${package})
+  install(FILES ${package_files}/copyright DESTINATION ${folder} COMPONENT ${component})
+  install(FILES ${made}/changelog.gz ${made}/changelog.Debian.gz DESTINATION ${folder} COMPONENT ${component} OPTIONAL)
+  install(FILES ${package_files}/${package}.lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides
+          RENAME ${package} COMPONENT ${component})
+endfunction()
+
+set(cli $<TARGET_FILE:remount-cli>)
+remount_made(changelog.gz DEPENDS ${CMAKE_SOURCE_DIR}/CHANGELOG.md COMMAND cat ${CMAKE_SOURCE_DIR}/CHANGELOG.md)
+remount_made(changelog.Debian.gz DEPENDS ${made}/changelog.Debian COMMAND cat ${made}/changelog.Debian)
+remount_made(completions/remount-cli DEPENDS remount-cli COMMAND ${cli} --completion bash)
+remount_made(completions/_remount-cli DEPENDS remount-cli COMMAND ${cli} --completion zsh)
+remount_made(man1/remount-cli.1.gz DEPENDS remount-cli COMMAND ${cli} --man-page)
+remount_made(zh_CN/man1/remount-cli.1.gz DEPENDS remount-cli COMMAND ${cli} --language zh_CN --man-page)
+
+install(TARGETS remount-cli RUNTIME COMPONENT cli)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/sample DESTINATION ${CMAKE_INSTALL_DATADIR}/remount COMPONENT cli
+        PATTERN make_sample.sh EXCLUDE)
+install(FILES ${made}/completions/remount-cli DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        COMPONENT cli OPTIONAL)
+install(FILES ${made}/completions/_remount-cli DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT cli
+        OPTIONAL)
+install(FILES ${made}/man1/remount-cli.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT cli OPTIONAL)
+install(FILES ${made}/zh_CN/man1/remount-cli.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/zh_CN/man1 COMPONENT cli OPTIONAL)
+remount_install_documents(remount-cli cli)
+set(components cli)
+
+if(REMOUNT_BUILD_GUI)
+  # Translations and help are inside the program.
+  install(TARGETS remount RUNTIME COMPONENT window)
+  install(FILES ${package_files}/remount.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT window)
+  install(FILES ${package_files}/remount-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME remount.xml
+          COMPONENT window)
+  install(FILES ${made}/invalid.localhost.remount.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT window)
+  set(icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor)
+  install(FILES ${package_files}/remount.svg DESTINATION ${icons}/scalable/apps COMPONENT window)
+  find_program(REMOUNT_RSVG_CONVERT rsvg-convert)
+  if(REMOUNT_RSVG_CONVERT)
+    foreach(size 16 24 32 48 64 128 256)
+      set(icon icons/${size}/remount.png)
+      remount_made(${icon} DEPENDS ${package_files}/remount.svg
+        COMMAND ${REMOUNT_RSVG_CONVERT} -w ${size} -h ${size} ${package_files}/remount.svg)
+      install(FILES ${made}/${icon} DESTINATION ${icons}/${size}x${size}/apps COMPONENT window OPTIONAL)
+    endforeach()
+  endif()
+  remount_made(man1/remount.1.gz DEPENDS remount ${CMAKE_SOURCE_DIR}/packaging/man_of_window
+    COMMAND ${CMAKE_SOURCE_DIR}/packaging/man_of_window $<TARGET_FILE:remount>)
+  install(FILES ${made}/man1/remount.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT window OPTIONAL)
+  remount_install_documents(remount window)
+  list(APPEND components window)
+endif()
+add_custom_target(package_files DEPENDS ${made_files})
+
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests need not be built to be packaged
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME remount)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_VENDOR "Remount developers")
+set(CPACK_PACKAGE_CONTACT ${REMOUNT_MAINTAINER})
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+    WORLD_EXECUTE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL ${components})
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_RELEASE ${REMOUNT_PACKAGE_REVISION})
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # what is linked; named below is what is not
+set(CPACK_DEBIAN_CLI_PACKAGE_NAME remount-cli)
+set(CPACK_COMPONENT_CLI_DESCRIPTION "calibrates where a LiDAR sits on a vehicle (command line)
+Remount finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from
+recorded drives: pairs of scans are registered, compared with the motion of
+the INS, and explained by one rigid transform, of which each parameter has its
+uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
+
+This package has the program for terminals, scripts and fleets, and a sample
+drive. It needs no display.")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME remount)
+set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "remount-cli (= ${PROJECT_VERSION}-${REMOUNT_PACKAGE_REVISION}), libgl1-mesa-dri")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "qt6-translations-l10n, qt6-wayland, fonts-noto-cjk")
+set(CPACK_COMPONENT_WINDOW_DESCRIPTION "calibrates where a LiDAR sits on a vehicle (window)
+Remount finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from
+recorded drives: pairs of scans are registered, compared with the motion of
+the INS, and explained by one rigid transform, of which each parameter has its
+uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
+
+This package has the workbench with views in 3-D, which needs OpenGL 3.2.")
+include(CPack)
