@@ -1,6 +1,6 @@
-# clang compiles this tree in less than half of GCC's processor time: most of it goes into what is instantiated of Eigen,
+# clang compiles this tree in about half of GCC's processor time: most of it goes into what is instantiated of Eigen,
 # before anything is optimised. Where it is installed and nobody chose a compiler, it is taken. GCC 12 compiles all of it,
-# too: cmake --preset release -DCMAKE_C_COMPILER=gcc -DCMAKE_CXX_COMPILER=g++
+# too: cmake --preset release -B build/gcc -DCMAKE_C_COMPILER=gcc -DCMAKE_CXX_COMPILER=g++
 if(NOT DEFINED CMAKE_CXX_COMPILER AND NOT DEFINED CMAKE_C_COMPILER AND NOT DEFINED CMAKE_TOOLCHAIN_FILE
    AND NOT DEFINED ENV{CXX} AND NOT DEFINED ENV{CC})
   find_program(REMOUNT_CLANG clang)

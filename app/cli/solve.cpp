@@ -10,6 +10,7 @@
 #include "model/formats/poses/motion_pairs_file.h"
 #include "model/pipeline/pipeline.h"
 #include "model/project/project.h"
+#include "model/results/disagreement.h"
 
 namespace remount::cli {
 namespace {
@@ -52,6 +53,7 @@ int solve(const PairsArguments& arguments, Console& console) {
   output.pairs = motions.pairs;
   output.result = pipeline::solve_motion_pairs(output.keyframes, output.pairs, input.settings,
                                                input.nominal_ins_from_lidar, console.progress());
+  results::report_disagreement(output.result, output.findings);
   return finish(project::make_result_file(input, output, {results::hash_input(arguments.pairs)}),
                 arguments.solve.output, console);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/degree.h"
@@ -329,14 +330,11 @@ void put_errors(const SampledTable& table, const ColumnNames& names, ChosenMotio
 }
 
 /// Of columns that are called alike the first was taken.
-void tell_named_alike(const SampledTable& table, const ColumnNames& names, Guess& guess) {
-  for (const std::string& label : guess.columns)
-    for (std::size_t column = 0; column < names.size(); ++column) {
-      if (table.label(column) != label || !names[column]) continue;
-      const std::vector<std::string> others = others_called_alike(table, names, column);
-      if (!others.empty()) guess.evidence.push_back(say::guess_called_alike(others, label));
-      break;
-    }
+void tell_named_alike(const SampledTable& table, const ColumnNames& names, std::span<const std::size_t> columns,
+                      Guess& guess) {
+  for (const std::size_t column : columns)
+    if (const std::vector<std::string> others = others_called_alike(table, names, column); !others.empty())
+      guess.evidence.push_back(say::guess_called_alike(others, table.label(column)));
 }
 
 }  // namespace
@@ -371,8 +369,8 @@ std::optional<ChosenMotion> choose_motion(const SampledTable& table, const Colum
   put_attitude(table, best.attitude, chosen.layout);
   chosen.position = position_guess(table, all, best);
   chosen.attitude = attitude_guess(table, all, best);
-  tell_named_alike(table, names, chosen.position);
-  tell_named_alike(table, names, chosen.attitude);
+  tell_named_alike(table, names, best.position->at, chosen.position);
+  tell_named_alike(table, names, best.attitude.columns(), chosen.attitude);
   put_errors(table, names, chosen);
   return chosen;
 }

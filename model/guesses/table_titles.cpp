@@ -1,6 +1,8 @@
 #include "model/guesses/table_titles.h"
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/old_encodings.h"
@@ -50,6 +52,24 @@ std::string shown_title(std::string_view title) {
   return shown;
 }
 
+namespace {
+
+/// As Chinese text is mostly encoded: bytes beyond ASCII come by twos.
+bool comes_by_twos(std::string_view text) {
+  std::size_t run = 0;
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) >= 0x80)
+      ++run;
+    else if (run % 2 != 0)
+      return false;
+    else
+      run = 0;
+  }
+  return run % 2 == 0;
+}
+
+}  // namespace
+
 std::vector<std::string> fitting_titles(std::string_view line, const TableText& text, std::size_t fields) {
   for (const char separator : {text.separator, ',', ';', '\t', '|'})
     if (auto titles = titles_of(line, fields, separator); titles.size() == fields) return titles;
@@ -76,38 +96,24 @@ bool is_remark(std::string_view line) {
   return line.starts_with('(') || line.starts_with('[');
 }
 
-namespace {
-
-/// As Chinese text is encoded: bytes beyond ASCII come by twos.
-bool comes_by_twos(std::string_view text) {
-  std::size_t run = 0;
-  for (const char c : text) {
-    if (static_cast<unsigned char>(c) >= 0x80)
-      ++run;
-    else if (run % 2 != 0)
-      return false;
-    else
-      run = 0;
-  }
-  return run % 2 == 0;
-}
-
-}  // namespace
-
 void decode_titles(std::vector<std::string>& titles, std::vector<std::string>& units) {
   if (std::ranges::all_of(titles, formats::is_utf8) && std::ranges::all_of(units, formats::is_utf8)) return;
   const std::vector<std::string> titles_as_read = titles, units_as_read = units;
   const bool by_twos = std::ranges::all_of(titles, comes_by_twos) && std::ranges::all_of(units, comes_by_twos);
-  std::ptrdiff_t most_known = -1;
+  using Merit = std::tuple<std::ptrdiff_t, std::ptrdiff_t, bool>;  // titles that are known; letters that are none
+  std::optional<Merit> best;
   for (const auto& [encoding, of_twos] : formats::kOldEncodings) {
-    if (of_twos && !by_twos) continue;
     std::vector<std::string> decoded = titles_as_read, decoded_units = units_as_read;
-    for (std::string& title : decoded) title = formats::decoded(title, encoding);
+    std::ptrdiff_t known = 0, none = 0;
+    for (std::string& title : decoded) {
+      title = formats::decoded(title, encoding);
+      known += quantity_of(title).has_value();
+      none += std::ranges::count(title, '?');
+    }
     for (std::string& unit : decoded_units) unit = formats::decoded(unit, encoding);
-    const auto is_known = [](const std::string& title) { return quantity_of(title).has_value(); };
-    const std::ptrdiff_t known = std::ranges::count_if(decoded, is_known);
-    if (known <= most_known) continue;
-    titles = std::move(decoded), units = std::move(decoded_units), most_known = known;
+    const Merit merit(known, -none, of_twos == by_twos);
+    if (best && merit <= *best) continue;
+    titles = std::move(decoded), units = std::move(decoded_units), best = merit;
   }
 }
 

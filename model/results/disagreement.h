@@ -8,9 +8,9 @@
 
 namespace remount::results {
 
-/// Finding "motions-differ" (Problem) where the accepted pairs of a usable result turn otherwise than the INS says by
-/// more than any INS or registration errs: then it is no noise, and no sigma that is taken from it holds. Takes an
-/// earlier one of that code away.
+/// Finding "motions-differ" (Warning) where the accepted pairs of a usable result turn otherwise than the INS says by
+/// more than an INS for surveys and the registration of scans err by: then it is hardly noise, and a sigma that was
+/// taken from it may not hold. Takes an earlier one of that code away.
 void report_disagreement(const calibration::CalibrationResult& result, std::vector<drive::Finding>& findings);
 
 }  // namespace remount::results

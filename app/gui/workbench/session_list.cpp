@@ -198,7 +198,8 @@ void SessionList::tell_findings(const drive::Session& session) {
       desk_.notices.say(finding.severity, where, what);
     else
       desk_.notices.log(finding.severity, where, what);
-    if (finding.code == "one-stream") emit half_opened(QString::fromStdString(session.path.string()));
+    const bool log_alone = !session.scans && (!session.ins.empty() || !session.gnss.empty());
+    if (finding.code == "one-stream" && log_alone) emit half_opened(QString::fromStdString(session.path.string()));
   }
 }
 

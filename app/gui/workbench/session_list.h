@@ -61,7 +61,7 @@ class SessionList : public WorkbenchPart {
   void topics_asked(const std::vector<drive::TopicOffer>& offers);
   /// No reader knows what was to be opened; it was said so.
   void not_recognised(const QString& path);
-  /// It was opened and holds one stream alone; it was said so.
+  /// It was opened and is a log of the INS or of GNSS alone; it was said so.
   void half_opened(const QString& path);
   /// A folder that was to be opened is no session, but holds these: somebody has to say which are meant.
   void found_below(const QString& folder, const QStringList& paths);

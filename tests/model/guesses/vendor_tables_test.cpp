@@ -122,11 +122,15 @@ TEST_F(vendor_tables, latitude_and_longitude_may_be_called_each_other) {
 TEST_F(vendor_tables, titles_in_old_encodings_are_understood_and_columns_go_by_number) {
   for (const char* head : {"\xca\xb1\xbc\xe4,\xce\xb3\xb6\xc8,\xbe\xad\xb6\xc8,\xb8\xdf\xb3\xcc,\xba\xe1\xb9\xf6,"
                            "\xb8\xa9\xd1\xf6,\xba\xbd\xcf\xf2\xbd\xc7\n",  // GBK: 时间,纬度,…
+                           // The same beside a name that only the larger of the two sets of characters has.
+                           "\xca\xb1\xbc\xe4,\xce\xb3\xb6\xc8,\xbe\xad\xb6\xc8,\xb8\xdf\xb3\xcc,\xba\xe1\xb9\xf6,"
+                           "\xb8\xa9\xd1\xf6,\xba\xbd\xcf\xf2\xbd\xc7,\x95\x6e\n",
                            "time,lat [\xb0],lon [\xb0],h,roll [\xb0],pitch [\xb0],heading [\xb0]\n"}) {
     const formats::TemporaryFolder folder;
     write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
-    write_rows(folder.path() / "ins.csv", head, [](std::size_t, const WrittenSample& sample) {
-      return joined({std::to_string(sample.ins.stamp_ns)}, geodetic(sample));
+    const bool one_more = std::ranges::count(std::string_view(head), ',') == 7;
+    write_rows(folder.path() / "ins.csv", head, [&](std::size_t, const WrittenSample& sample) {
+      return joined(joined({std::to_string(sample.ins.stamp_ns)}, geodetic(sample)), one_more ? Fields{"7"} : Fields());
     });
     const Description found = described({folder.path()});
     const Guess* position = guess_of(found, GuessKind::Position);

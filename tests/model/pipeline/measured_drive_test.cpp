@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
+#include "model/drive/attitude_convention.h"
 #include "model/overview/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
@@ -81,8 +82,25 @@ TEST(measured_drive, map_is_sharper_under_the_result_than_under_a_wrong_nominal)
               nominal.mean_map_entropy, result.points);
   EXPECT_LT(result.plane_thickness_m, 0.8 * nominal.plane_thickness_m);
   EXPECT_LT(result.mean_map_entropy, nominal.mean_map_entropy - 0.1);
-  for (const drive::Finding& finding : output.findings)
+  for (const drive::Finding& finding : output.findings) {
     EXPECT_NE(finding.code, "map-less-sharp") << english(finding.explanation);
+    EXPECT_NE(finding.code, "motions-differ") << english(finding.explanation);
+  }
+}
+
+// As where a column of velocities is read as roll.
+TEST(measured_drive, a_roll_that_is_something_else_is_told) {
+  simulator::SimulatedDrive drive = testing::simulate_drive(flat());
+  for (motion::InsSample& sample : drive.session.ins) {
+    drive::AttitudeAngles angles = drive::angles_from(sample.enu_from_ins, drive::AttitudeConvention::EnuYaw);
+    angles.roll_rad = degrees_to_radians(6.0) * std::cos(angles.yaw_rad);
+    sample.enu_from_ins = drive::enu_from_ins(angles, drive::AttitudeConvention::EnuYaw);
+  }
+  const PipelineOutput output = calibrate(drive, {}, {});
+  testing::error_of(output.result, drive.ins_from_lidar);
+  const bool told = std::ranges::any_of(output.findings, [](const auto& one) { return one.code == "motions-differ"; });
+  EXPECT_TRUE(told || !calibration::is_usable(output.result))
+      << radians_to_degrees(output.result.rotation_rms_rad) << " deg rms, " << english(output.result.message);
 }
 
 }  // namespace
