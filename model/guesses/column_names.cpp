@@ -122,6 +122,7 @@ std::optional<Quantity> named(std::string_view name) {
 /// "deg" of "degrees"; empty where the word is no unit that is known.
 std::string known_unit(std::string_view word) {
   const std::string name = plain(word);
+  if (name == "0001s") return "ms";  // "0.001 s", of Septentrio's converter
   if (const auto unit_ns = formats::time_unit_named_ns(name)) return std::string(formats::time_unit_name(*unit_ns));
   const auto* found = std::ranges::find(kUnits, name, &std::pair<std::string_view, std::string_view>::first);
   return found == std::end(kUnits) ? "" : std::string(found->second);

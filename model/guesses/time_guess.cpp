@@ -133,7 +133,12 @@ std::optional<ChosenTime> choose_time(const SampledTable& table, const ColumnNam
     guess.evidence.push_back(
         say::guess_date_order(words(reading.columns.date_order),
                               reading.order_open ? say::guess_date_order_open() : say::guess_date_order_told()));
-  if (!reading.unit_by_name) guess.evidence.push_back(say::guess_unit_by_size(reading.unit));
+  if (!reading.not_the_unit.empty()) {
+    guess.evidence.push_back(say::guess_unit_against_title(reading.not_the_unit, reading.unit));
+    guess.sureness = Sureness::Likely;
+  } else if (!reading.unit_by_name) {
+    guess.evidence.push_back(say::guess_unit_by_size(reading.unit));
+  }
   if (!reading.by_name) guess.evidence.push_back(say::guess_time_by_going_up());
   say_alternatives(table, readings, chosen, stamps_ns, guess);
   const bool told = reading.first_s > kEarliest_s && stamps_tell(readings, chosen, stamps_ns);

@@ -137,6 +137,11 @@ class TimeReader {
     double weight = !named ? 0.5 : host ? 1.0 : quantity == Quantity::Time ? 3.0 : 2.8;
     if (counts) weight = std::min(weight, 0.1);
     add_counted(column, *unit_ns, quantity, weight, stated_ns != 0, counts);
+    const auto by_size_ns = unit_of(values);
+    if (stated_ns == 0 || !by_size_ns || *by_size_ns == stated_ns || may_be_steps(values, stated_ns)) return;
+    const std::size_t before = out_.size();
+    add_counted(column, *by_size_ns, quantity, weight, false);
+    for (std::size_t i = before; i < out_.size(); ++i) out_[i].not_the_unit = unit;
   }
 
   struct Rest {

@@ -23,6 +23,7 @@ struct TimeReading {
   bool unit_by_name = false;
   bool order_open = false;     ///< of a date: its numbers may be day and month in either order
   bool counts = false;         ///< whole numbers of one step, which may count the rows
+  std::string not_the_unit;    ///< which a title states, and in which rows would follow each other as no log's do
   bool rate_unlikely = false;  ///< no INS is recorded so
   double readable = 0.0;       ///< share of the rows that have a time so
 

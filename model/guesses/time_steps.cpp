@@ -83,13 +83,27 @@ bool is_likely_rate(double rate_hz, double span_s) {
   return rate_hz >= kSlowest_hz && rate_hz <= kFastest_hz && span_s <= kLongest_s;
 }
 
+namespace {
+
+/// The median of those that lead on; 0 where none does.
+double usual_step(const std::vector<double>& values) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i] > values[i - 1]) steps.push_back(values[i] - values[i - 1]);
+  return steps.empty() ? 0.0 : median_of(std::move(steps));
+}
+
+}  // namespace
+
+bool may_be_steps(const std::vector<double>& values, std::int64_t unit_ns) {
+  constexpr double kShortest_s = 1e-4, kLongest_s = 60.0;
+  const double step_s = usual_step(first_values(values)) * 1e-9 * static_cast<double>(unit_ns);
+  return step_s >= kShortest_s && step_s <= kLongest_s;
+}
+
 std::optional<std::int64_t> unit_of_usual_rate_ns(const std::vector<double>& first) {
   constexpr double kShortest_s = 4e-4, kLongest_s = 1.0;
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < first.size(); ++i)
-    if (first[i] > first[i - 1]) steps.push_back(first[i] - first[i - 1]);
-  if (steps.empty()) return std::nullopt;
-  const double step = median_of(std::move(steps));
+  const double step = usual_step(first);
   std::vector<std::int64_t> usual;
   for (const std::int64_t unit_ns : {1'000'000'000, 1'000'000, 1'000, 1})
     if (const double step_s = step * 1e-9 * static_cast<double>(unit_ns); step_s >= kShortest_s && step_s <= kLongest_s)

@@ -33,6 +33,9 @@ bool has_even_steps(const std::vector<double>& values, double tolerance);
 /// The smallest and the largest; nothing where there is none.
 std::optional<std::pair<double, double>> limits_of(const std::vector<double>& values);
 
+/// Whether times in that unit follow each other as those of a log may.
+bool may_be_steps(const std::vector<double>& values, std::int64_t unit_ns);
+
 bool is_possible_rate(double rate_hz);
 /// Of a log of an INS.
 bool is_likely_rate(double rate_hz, double span_s);

@@ -149,6 +149,13 @@ TEST_F(times_of_tables, dates_in_columns_and_rests_of_seconds) {
   }
 }
 
+TEST_F(times_of_tables, a_title_whose_unit_no_log_can_have_is_contradicted) {
+  const Description found = of_texts("time_ms", seconds_text);
+  ASSERT_TRUE(found.ins);
+  EXPECT_EQ(found.ins->layout.time_unit_ns, 1'000'000'000);
+  EXPECT_TRUE(says(guess_of(found, GuessKind::Time)->evidence, "guess-unit-against-title"));
+}
+
 TEST_F(times_of_tables, what_is_no_date_is_said_to_be_so_with_the_column) {
   EXPECT_TRUE(lacks(of_texts("UTC Time", clock_text), "\"UTC Time\" holds times of day"));
   int row = 0;
