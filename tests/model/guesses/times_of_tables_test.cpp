@@ -7,6 +7,7 @@
 
 #include "algorithms/core/stamps.h"
 #include "model/formats/files/running_period.h"
+#include "model/guesses/table_import.h"
 #include "tests/model/guesses/described_rows.h"
 
 namespace remount::guesses {
@@ -145,6 +146,15 @@ TEST_F(times_of_tables, dates_in_columns_and_rests_of_seconds) {
     const formats::InsTableLayout& ours = found.ins->layout;
     for (const formats::InsTableLayout& other : guess_of(found, GuessKind::Time)->other_layouts)
       EXPECT_TRUE(other.nanoseconds && other.calendar.has_value() == ours.calendar.has_value());
+    Progress progress;
+    const ImportData data = look_for_import({folder->path()}, progress);
+    ASSERT_TRUE(data.table);
+    const ImportChecks checks = check_choice(data.description, {data.table, data.table->preset, {}}, progress);
+    EXPECT_EQ(checks.samples, samples_->size()) << "the import presets all of the columns";
+    TableChoices other = data.table->preset;
+    give_role(data.table->table, other, 0, ColumnRole::Minute);
+    std::vector<Message> lacks;
+    EXPECT_FALSE(layout_of(data.table->table, other, lacks) && !ours.calendar) << "a minute needs an hour beside it";
     EXPECT_LT(motions_apart(opened(found, folder->path()), *session_), kTextPrecision);
   }
 }
