@@ -22,10 +22,11 @@ std::size_t count_within_span(const InsGuess& ins, const std::vector<std::int64_
 }
 
 Duration longest_gap(const InsGuess& ins) {
-  std::int64_t longest_ns = 0;
+  double longest_ns = 0.0;  // stamps may be further apart than an integer holds
   for (std::size_t i = 1; i < ins.stretches.size(); ++i)
-    longest_ns = std::max(longest_ns, ins.stretches[i].first_ns - ins.stretches[i - 1].last_ns);
-  return Duration{1e-9 * static_cast<double>(longest_ns)};
+    longest_ns = std::max(
+        longest_ns, static_cast<double>(ins.stretches[i].first_ns) - static_cast<double>(ins.stretches[i - 1].last_ns));
+  return Duration{1e-9 * longest_ns};
 }
 
 std::int64_t leap_seconds_ns(const conventions::TimeSpan& ins) {
@@ -167,8 +168,8 @@ std::optional<Guess> guess_clock(const InsGuess& ins, const std::vector<ScansGue
   const std::size_t inside = count_within(ins, stamps_ns), in_gaps = count_within_span(ins, stamps_ns) - inside;
   guess.evidence.push_back(say::guess_clock_within(inside, stamps_ns.size()));
   if (in_gaps > 0) guess.evidence.push_back(say::guess_clock_in_gaps(in_gaps, longest_gap(ins)));
-  if (inside == 0) guess.evidence.push_back(conventions::time_spans_apart(scans, ins.span));
-  if (Message cause = clock_without_date(scans, ins.span); inside == 0 && !cause.empty())
+  if (inside + in_gaps == 0) guess.evidence.push_back(conventions::time_spans_apart(scans, ins.span));
+  if (Message cause = clock_without_date(scans, ins.span); inside + in_gaps == 0 && !cause.empty())
     guess.evidence.push_back(std::move(cause));
   if (10 * (inside + in_gaps) < 9 * stamps_ns.size()) {
     guess.sureness = Sureness::Open;

@@ -194,16 +194,18 @@ Message words(Sureness sureness) {
 }
 
 void put_times(const std::vector<std::int64_t>& stamps_ns, InsGuess& ins) {
-  constexpr std::int64_t kShortestGap_ns = 500'000'000, kGapInSteps = 5;
+  constexpr double kShortestGap_ns = 5e8, kGapInSteps = 5.0;
+  // Further apart than an integer holds they may be as well.
+  const auto apart_ns = [](std::int64_t a, std::int64_t b) { return static_cast<double>(b) - static_cast<double>(a); };
   ins.samples = stamps_ns.size();
   ins.span = {stamps_ns.front(), stamps_ns.back()};
-  std::vector<std::int64_t> steps_ns;
-  for (std::size_t i = 1; i < stamps_ns.size(); ++i) steps_ns.push_back(stamps_ns[i] - stamps_ns[i - 1]);
-  const std::int64_t usual_ns = steps_ns.empty() ? 0 : median_of(steps_ns);
-  const std::int64_t gap_ns = std::max(kShortestGap_ns, kGapInSteps * usual_ns);
+  std::vector<double> steps_ns;
+  for (std::size_t i = 1; i < stamps_ns.size(); ++i) steps_ns.push_back(apart_ns(stamps_ns[i - 1], stamps_ns[i]));
+  const double usual_ns = steps_ns.empty() ? 0.0 : median_of(std::move(steps_ns));
+  const double gap_ns = std::max(kShortestGap_ns, kGapInSteps * usual_ns);
   ins.stretches = {{stamps_ns.front(), stamps_ns.front()}};
   for (const std::int64_t stamp_ns : stamps_ns) {
-    if (stamp_ns - ins.stretches.back().last_ns > gap_ns) ins.stretches.push_back({stamp_ns, stamp_ns});
+    if (apart_ns(ins.stretches.back().last_ns, stamp_ns) > gap_ns) ins.stretches.push_back({stamp_ns, stamp_ns});
     ins.stretches.back().last_ns = stamp_ns;
   }
 }

@@ -66,8 +66,9 @@ std::vector<NameClock> clocks_of_names(const CloudFolder& folder, const InsGuess
 
 /// Numbers far from zero do not come to lie within a short motion by chance; those that begin with it may.
 bool far_from_zero(const std::vector<std::int64_t>& stamps_ns, std::int64_t added_ns) {
-  constexpr std::int64_t kTimes = 8;
-  return stamps_ns.front() - added_ns > kTimes * (stamps_ns.back() - stamps_ns.front());
+  constexpr double kTimes = 8.0;
+  const auto first_ns = static_cast<double>(stamps_ns.front()), last_ns = static_cast<double>(stamps_ns.back());
+  return first_ns - static_cast<double>(added_ns) > kTimes * (last_ns - first_ns);
 }
 
 }  // namespace

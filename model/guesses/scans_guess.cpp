@@ -61,10 +61,19 @@ std::vector<std::int64_t> stamps_of_names(const CloudFolder& folder) {
   return ascending_stamps(formats::scans_from_names(folder.files, folder.directory, folder.format, findings));
 }
 
+/// Numbers behind a date that would be seconds from midnight on: "20210101_000007" is the seventh of that day.
+bool count_from_midnight(const std::vector<std::int64_t>& stamps_ns) {
+  constexpr std::int64_t kOneSecond_ns = 1'000'000'000, kDay_ns = 86'400 * kOneSecond_ns;
+  if (stamps_ns.size() < 2 || stamps_ns.front() % kDay_ns > 10 * kOneSecond_ns) return false;
+  for (std::size_t i = 1; i < stamps_ns.size(); ++i)
+    if (stamps_ns[i] - stamps_ns[i - 1] != kOneSecond_ns) return false;
+  return stamps_ns.front() % kOneSecond_ns == 0;
+}
+
 /// Names that are dates, whole or in part.
 bool take_dates(const CloudFolder& folder, const std::vector<fs::path>& in_order, ScansGuess& scans) {
   const auto fit = [&](const std::vector<std::int64_t>& stamps_ns) {
-    return stamps_ns.size() == in_order.size() && are_dates(stamps_ns) &&
+    return stamps_ns.size() == in_order.size() && are_dates(stamps_ns) && !count_from_midnight(stamps_ns) &&
            have_steps_of_scans(stamps_ns, kLongestStepOfDates_s);
   };
   scans.stamps_ns = stamps_of_names(folder);

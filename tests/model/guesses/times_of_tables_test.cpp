@@ -96,13 +96,19 @@ TEST_F(times_of_tables, numbers_in_names_are_times_of_the_clock_of_the_table) {
 
 TEST_F(times_of_tables, names_that_count_the_scans_are_no_times) {
   const std::int64_t first_ns = samples_->front().ins.stamp_ns;
-  const formats::TemporaryFolder folder;
-  int count = 0;
-  name_scans(folder.path(), [&](std::int64_t) { return std::to_string(++count); });
-  write_table(folder.path() / "ins.csv", "time", [&](std::int64_t t) { return seconds_text(t - first_ns); });
-  const Description found = described({folder.path()});
-  EXPECT_TRUE(found.ins);
-  EXPECT_TRUE(says(found.missing, "guess-needs-stamps"));
+  for (const char* before : {"", "20231114_0000"}) {
+    const formats::TemporaryFolder folder;
+    int count = 10;
+    name_scans(folder.path(), [&](std::int64_t) { return before + std::to_string(count++); });
+    write_table(folder.path() / "ins.csv", "time", [&](std::int64_t t) { return seconds_text(t - first_ns); });
+    const Description found = described({folder.path()});
+    EXPECT_TRUE(found.ins) << before;
+    const Guess* stamps = find_guess(found.lidars.front().guesses, GuessKind::Stamps);
+    EXPECT_TRUE(stamps ? says(stamps->alternatives, "guess-stamps-may-be-numbers")
+                       : says(found.missing, "guess-needs-stamps"))
+        << before;
+    EXPECT_TRUE(!stamps || stamps->sureness == Sureness::Open) << before;
+  }
 }
 
 TEST_F(times_of_tables, dates_are_read_as_they_are_written) {
