@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
+#include "messages/guesses.h"
 #include "model/formats/documents/document.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
@@ -37,6 +39,10 @@ void open_again(const fs::path& manifest, Console& console) {
 
 void tell(const guesses::Description& description, Console& console) {
   for (const Message& missing : description.missing) console.warn(missing);
+  constexpr std::size_t kMostTold = 10;
+  const bool lacks_data = !description.ins || description.lidars.empty();
+  for (std::size_t i = 0; lacks_data && i < std::min(description.not_used.size(), kMostTold); ++i)
+    console.warn(say::guess_manifest_not_used(description.not_used[i].path.string(), description.not_used[i].why));
   if (description.open()) console.warn(say::cli_describe_open());
 }
 

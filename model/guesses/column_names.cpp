@@ -13,7 +13,7 @@ namespace {
 /// Names in small letters without what is neither letter nor digit; those of other scripts as they are.
 constexpr std::pair<Quantity, std::string_view> kNames[] = {
     {Quantity::Time,
-     "t,time,timestamp,timestamps,stamp,ts,epoch,unixtime,unix,utctime,timeutc,utc,"
+     "t,time,timestamp,timestamps,datenum,stamp,ts,epoch,unixtime,unix,utctime,timeutc,utc,"
      "sensortime,headerstamp,elapsedtime,时间,时间戳,utc时间"},
     {Quantity::HostTime,
      "hosttime,systemtime,systime,pctime,rostime,receivetime,receivedtime,recvtime,"
@@ -22,14 +22,22 @@ constexpr std::pair<Quantity, std::string_view> kNames[] = {
     {Quantity::WeekSeconds,
      "tow,itow,gpstow,timeofweek,gpstimeofweek,sow,gpssow,secondsofweek,gpsweekseconds,"
      "weekseconds,weeksec,gpssecondsofweek,周秒,周内秒,gps周秒,gps周内秒"},
-    {Quantity::Week, "week,gpsweek,weekno,weeknumber,gpsweeknumber,wn,周,周数,gps周,gps周数"},
+    {Quantity::Week, "week,gpsweek,weekno,weeknumber,gpsweeknumber,wn,wnc,周,周数,gps周,gps周数"},
     {Quantity::Date, "date,day,utcdate,dateutc,gpsdate,datetime,utcdatetime,日期,日期时间"},
     {Quantity::Seconds,
-     "sec,secs,second,seconds,stampsec,stampsecs,headerstampsec,headerstampsecs,"
+     "sec,secs,second,seconds,utcsec,utcsecond,utcseconds,stampsec,stampsecs,headerstampsec,headerstampsecs,"
      "timestampsec,秒"},
     {Quantity::Nanoseconds,
-     "nsec,nsecs,nanosec,nanosecs,nanosecond,nanoseconds,stampnsec,stampnsecs,"
+     "nsec,nsecs,nano,nanos,nanosec,nanosecs,nanosecond,nanoseconds,utcnano,utcnanosecond,utcnanoseconds,stampnsec,"
+     "stampnsecs,"
      "stampnanosec,headerstampnsec,headerstampnsecs,headerstampnanosec,纳秒"},
+    {Quantity::Microseconds, "usec,usecs,microsec,microsecs,microsecond,microseconds,utcmicrosecond,微秒"},
+    {Quantity::Milliseconds, "msec,msecs,millisec,millisecs,millisecond,milliseconds,utcmillisecond,毫秒"},
+    {Quantity::Year, "year,utcyear,yyyy,gpsyear,年"},
+    {Quantity::Month, "month,utcmonth,gpsmonth,月"},
+    {Quantity::MonthDay, "utcday,dayofmonth,gpsday,日"},
+    {Quantity::Hour, "hour,hours,utchour,gpshour,时,小时"},
+    {Quantity::Minute, "minute,minutes,utcminute,utcmin,gpsminute,分,分钟"},
     {Quantity::Latitude, "lat,latitude,poslat,gpslat,gpslatitude,positionlatitude,纬度"},
     {Quantity::Longitude, "lon,lng,long,longitude,poslon,gpslon,gpslongitude,positionlongitude,经度"},
     {Quantity::Height,
@@ -114,6 +122,7 @@ std::optional<Quantity> named(std::string_view name) {
 /// "deg" of "degrees"; empty where the word is no unit that is known.
 std::string known_unit(std::string_view word) {
   const std::string name = plain(word);
+  if (name == "0001s") return "ms";  // "0.001 s", of Septentrio's converter
   if (const auto unit_ns = formats::time_unit_named_ns(name)) return std::string(formats::time_unit_name(*unit_ns));
   const auto* found = std::ranges::find(kUnits, name, &std::pair<std::string_view, std::string_view>::first);
   return found == std::end(kUnits) ? "" : std::string(found->second);
@@ -234,6 +243,8 @@ std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_vie
 std::string unit_stated(std::string_view title, std::string_view unit_below) {
   ReadTitle read = read_title(title, unit_below);
   if (read.unit.empty() && read.quantity == Quantity::Seconds) return "s";
+  if (read.unit.empty() && read.quantity == Quantity::Milliseconds) return "ms";
+  if (read.unit.empty() && read.quantity == Quantity::Microseconds) return "us";
   if (read.unit.empty() && read.quantity == Quantity::Nanoseconds) return "ns";
   return std::move(read.unit);
 }

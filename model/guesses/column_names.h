@@ -17,6 +17,13 @@ enum class Quantity {
   Date,  ///< a day, or a day with its time
   Seconds,
   Nanoseconds,  ///< beside whole seconds
+  Microseconds,
+  Milliseconds,
+  Year,
+  Month,
+  MonthDay,
+  Hour,
+  Minute,
   Latitude,
   Longitude,
   Height,

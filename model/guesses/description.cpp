@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
 #include "messages/guesses.h"
 #include "messages/stages.h"
 #include "model/drive/bad_items.h"
@@ -19,6 +20,7 @@
 #include "model/formats/sessions/several_sessions.h"
 #include "model/guesses/clock_guess.h"
 #include "model/guesses/found_tables.h"
+#include "model/guesses/scan_clock.h"
 #include "model/guesses/table_guess.h"
 
 namespace remount::guesses {
@@ -78,8 +80,7 @@ std::optional<InsGuess> read_log(const fs::path& file, std::vector<NotUsed>& not
     not_used.push_back({file, drive::message_of(error)});
     return std::nullopt;
   }
-  ins.samples = session.ins.size();
-  ins.span = {session.ins.front().stamp_ns, session.ins.back().stamp_ns};
+  put_times_of(session.ins, ins);
   ins.week_open = session.ins_week_open;
   ins.guesses.push_back({GuessKind::Rows, {}, "", Sureness::Checked, {say::guess_is_a_log(ins.samples)}, {}});
   return ins;
@@ -87,8 +88,7 @@ std::optional<InsGuess> read_log(const fs::path& file, std::vector<NotUsed>& not
 
 /// Of several the one during which most scans were taken, of those the surest, then the one with most samples.
 double rank_of(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) {
-  const auto inside = std::ranges::count_if(
-      stamps_ns, [&](std::int64_t stamp_ns) { return stamp_ns >= ins.span.first_ns && stamp_ns <= ins.span.last_ns; });
+  const std::size_t inside = count_within(ins, stamps_ns);
   constexpr double kOfScans = 200.0, kOfLog = 100.0;
   double rank = ins.log ? kOfLog : 0.0;
   if (!stamps_ns.empty()) rank += kOfScans * static_cast<double>(inside) / static_cast<double>(stamps_ns.size());
@@ -129,15 +129,26 @@ void take_lidar_poses(const std::vector<FoundTable>& tables, Description& descri
   }
 }
 
-void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>& tables, const Progress& progress,
-               Description& description) {
+std::vector<std::int64_t> stamps_of_lidars(const Description& description) {
   std::vector<std::int64_t> stamps_ns;
   for (const ScansGuess& lidar : description.lidars)
     stamps_ns.insert(stamps_ns.end(), lidar.stamps_ns.begin(), lidar.stamps_ns.end());
+  return stamps_ns;
+}
+
+/// Where the week is open it stays so: which it is, the scans tell.
+void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>& tables, const Progress& progress,
+               Description& description) {
+  const std::vector<std::int64_t> stamps_ns = stamps_of_lidars(description);
+  double best = 0.0;
   const auto offer = [&](std::optional<InsGuess> one) {
-    if (one) place_in_week(*one, stamps_ns);
-    const auto better = [&] { return rank_of(*one, stamps_ns) > rank_of(*description.ins, stamps_ns); };
-    if (one && (!description.ins || better())) description.ins = std::move(one);
+    if (!one) return;
+    InsGuess placed = *one;
+    place_in_week(placed, stamps_ns);
+    const double rank = rank_of(placed, stamps_ns);
+    if (description.ins && rank <= best) return;
+    best = rank;
+    description.ins = std::move(one);
   };
   for (const fs::path& log : logs) offer(read_log(log, description.not_used));
   for (const FoundTable& found : tables) {
@@ -182,6 +193,23 @@ Message words(Sureness sureness) {
   }
 }
 
+void put_times(const std::vector<std::int64_t>& stamps_ns, InsGuess& ins) {
+  constexpr double kShortestGap_ns = 5e8, kGapInSteps = 5.0;
+  // Further apart than an integer holds they may be as well.
+  const auto apart_ns = [](std::int64_t a, std::int64_t b) { return static_cast<double>(b) - static_cast<double>(a); };
+  ins.samples = stamps_ns.size();
+  ins.span = {stamps_ns.front(), stamps_ns.back()};
+  std::vector<double> steps_ns;
+  for (std::size_t i = 1; i < stamps_ns.size(); ++i) steps_ns.push_back(apart_ns(stamps_ns[i - 1], stamps_ns[i]));
+  const double usual_ns = steps_ns.empty() ? 0.0 : median_of(std::move(steps_ns));
+  const double gap_ns = std::max(kShortestGap_ns, kGapInSteps * usual_ns);
+  ins.stretches = {{stamps_ns.front(), stamps_ns.front()}};
+  for (const std::int64_t stamp_ns : stamps_ns) {
+    if (apart_ns(ins.stretches.back().last_ns, stamp_ns) > gap_ns) ins.stretches.push_back({stamp_ns, stamp_ns});
+    ins.stretches.back().last_ns = stamp_ns;
+  }
+}
+
 std::optional<InsGuess> poses_as_ins(const fs::path& file) {
   const auto format = formats::recognise_pose_file(file);
   if (!format) return std::nullopt;
@@ -189,8 +217,7 @@ std::optional<InsGuess> poses_as_ins(const fs::path& file) {
     std::vector<drive::Finding> findings;
     const auto poses = formats::read_pose_file(file, *format, findings);
     InsGuess ins{.file = file, .pose_format = std::string(formats::to_string(*format))};
-    ins.samples = poses.size();
-    ins.span = {poses.front().stamp_ns, poses.back().stamp_ns};
+    put_times_of(poses, ins);
     ins.guesses.push_back({GuessKind::Rows, {}, "", Sureness::Open, {say::guess_as_poses(poses.size())}, {}});
     return ins;
   } catch (const Error&) {
@@ -263,6 +290,11 @@ DescribedTables look_at_data(const std::vector<fs::path>& paths, Progress& progr
     description.lidars.push_back(std::move(lidar));
   }
   guess_ins(logs, tables, progress, description);
+  if (description.ins) {
+    for (std::size_t i = 0; i < found.clouds.size(); ++i)
+      take_clock_of_ins(found.clouds[i], *description.ins, description.lidars[i]);
+    place_in_week(*description.ins, stamps_of_lidars(description));
+  }
   if (description.lidars.empty()) take_lidar_poses(tables, description);
   tell_missing(tables, description);
   if (description.ins) description.clock = guess_clock(*description.ins, description.lidars);

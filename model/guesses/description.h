@@ -1,6 +1,7 @@
 // Data without a manifest, described: what the motion of the INS and the scans are taken for, and how sure that is.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -32,8 +33,19 @@ struct InsGuess {
   std::vector<Guess> guesses{};
   std::size_t samples = 0;
   conventions::TimeSpan span{};
+  /// From sample to sample, but for gaps; ascending.
+  std::vector<conventions::TimeSpan> stretches{};
   bool week_open = false;
 };
+
+/// Count, span and stretches of samples. @param stamps_ns ascending, of one at least
+void put_times(const std::vector<std::int64_t>& stamps_ns, InsGuess& ins);
+template <class Items>
+void put_times_of(const Items& items, InsGuess& ins) {
+  std::vector<std::int64_t> stamps_ns;
+  for (const auto& item : items) stamps_ns.push_back(item.stamp_ns);
+  put_times(stamps_ns, ins);
+}
 
 struct Description {
   std::optional<KnownSession> known;  ///< nothing else then

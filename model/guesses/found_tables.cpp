@@ -18,10 +18,36 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_text(const fs::path& file) {
+enum class TextKind { Text, Empty, Other };
+TextKind text_kind(const fs::path& file) {
   constexpr std::size_t kHead = 4096;
   const std::string head = formats::read_text_head(file, kHead);
-  return !head.empty() && head.find('\0') == std::string::npos;
+  if (head.find('\0') != std::string::npos) return TextKind::Other;
+  return formats::trim(head).find_first_not_of("\r\n") == std::string_view::npos ? TextKind::Empty : TextKind::Text;
+}
+bool is_text(const fs::path& file) { return text_kind(file) == TextKind::Text; }
+
+/// Whether somebody would look for a table there.
+bool is_called_table(const fs::path& file) {
+  const std::string extension = formats::lower_case(file.extension().string());
+  return extension == ".csv" || extension == ".tsv" || extension == ".txt";
+}
+
+/// Rows with more numbers than words, however they are parted.
+std::size_t rows_of_numbers(std::string_view text) {
+  std::size_t rows = 0;
+  formats::LineReader lines(text);
+  std::vector<std::string_view> fields;
+  for (std::string_view line; lines.next(line);) {
+    std::string parted(line);
+    std::ranges::replace_if(
+        parted, [](char c) { return c == ',' || c == ';' || c == '|'; }, ' ');
+    formats::split_blanks(parted, fields);
+    const auto numbers =
+        std::ranges::count_if(fields, [](auto field) { return formats::parse_number(field).has_value(); });
+    rows += numbers > 1 && 2 * static_cast<std::size_t>(numbers) >= fields.size();
+  }
+  return rows;
 }
 
 /// Whether its rows may be those of the scans of a folder.
@@ -42,8 +68,16 @@ class TablesFound {
         break;
       }
       try {
-        if (!is_text(files[i])) continue;
-        if (auto table = sample_table(files[i], formats::read_text_file(files[i]))) add(files[i], std::move(*table));
+        const TextKind kind = text_kind(files[i]);
+        if (kind != TextKind::Text) {
+          tell_no_text(files[i], kind);
+          continue;
+        }
+        const std::string text = formats::read_text_file(files[i]);
+        if (auto table = sample_table(files[i], text))
+          add(files[i], std::move(*table));
+        else
+          tell_no_table(files[i], text);
       } catch (const Error& error) {
         not_used_.push_back({files[i], drive::message_of(error)});
       }
@@ -62,6 +96,19 @@ class TablesFound {
     }
     for (const SampledColumn& column : table.columns) values_ += column.values.size();
     tables_.push_back({file, std::move(table)});
+  }
+
+  void tell_no_text(const fs::path& file, TextKind kind) {
+    if (!is_called_table(file)) return;
+    not_used_.push_back({file, kind == TextKind::Empty ? say::guess_file_empty() : say::guess_file_not_text()});
+  }
+  /// Prose is nothing that anybody would look for.
+  void tell_no_table(const fs::path& file, std::string_view text) {
+    if (!is_called_table(file)) return;
+    const std::size_t rows = rows_of_numbers(text);
+    const bool prose = rows == 0 && formats::lower_case(file.extension().string()) == ".txt";
+    if (rows < kFewestRowsOfTable && !prose)
+      not_used_.push_back({file, say::guess_too_few_rows(rows, kFewestRowsOfTable)});
   }
 
   /// Of texts alone: what else lies there, as pictures, is nothing that anybody would name.

@@ -75,10 +75,11 @@ class ImportChecker {
     if (poses_.empty()) return;
     out_.samples = poses_.size();
     InsGuess ins;
-    ins.span = {poses_.front().stamp_ns, poses_.back().stamp_ns};
+    put_times_of(poses_, ins);
     ins.week_open = out_.week_open = layout_.time_scale == formats::TimeScale::GpsWeek;
     place_in_week(ins, stamps_ns_);
     out_.span = ins.span;
+    out_.stretches = std::move(ins.stretches);
     std::vector<std::int64_t> stamps_ns;
     for (const StampedPose& pose : poses_) stamps_ns.push_back(pose.stamp_ns);
     out_.drive.ins = overview::report_stream(stamps_ns);
@@ -222,6 +223,7 @@ class ImportChecker {
   void check_clock() {
     InsGuess ins;
     ins.span = out_.span;
+    ins.stretches = out_.stretches;
     ins.week_open = out_.week_open;
     ScansGuess scans;
     scans.stamps_ns = stamps_ns_;

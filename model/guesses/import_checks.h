@@ -35,6 +35,7 @@ struct ImportChecks {
   std::vector<ImportCheck> checks;  ///< each kind once at most; where nothing can be read, that of the rows alone
   std::size_t samples = 0;          ///< 0: nothing can be read
   conventions::TimeSpan span{};     ///< of the samples; placed in the week of the scans
+  std::vector<conventions::TimeSpan> stretches{};  ///< of it, without gaps
   bool week_open = false;
   overview::DriveOverview drive;  ///< its streams, how long and far it goes, and its track; nothing else of it
 

@@ -139,7 +139,7 @@ class ManifestWriter {
   }
 
   static void add_table(const TableText& text, DocumentNode& node) {
-    if (text.separator == ',' && text.skip_lines == 0) return;
+    if (text.separator == ',' && text.skip_lines == 0 && !text.no_value) return;
     DocumentNode& table = node.add("table", one_line());
     const char* separator = text.separator == ';'    ? "semicolon"
                             : text.separator == '\t' ? "tab"
@@ -149,6 +149,7 @@ class ManifestWriter {
     table.add("separator", DocumentNode::string(separator));
     if (text.decimal_commas) table.add("decimals", DocumentNode::string("comma"));
     if (text.skip_lines > 0) table.add("skip_lines", DocumentNode::integer(static_cast<std::int64_t>(text.skip_lines)));
+    if (text.no_value) table.add("no_value", DocumentNode::number(*text.no_value));
   }
 
   static std::string unit_name(std::int64_t unit_ns) { return std::string(formats::time_unit_name(unit_ns)); }
@@ -162,9 +163,19 @@ class ManifestWriter {
                                                                                : "gps-week"));
     if (time.gps_week) node.add("week", column(*time.gps_week));
     if (time.day) node.add("day", column(*time.day));
+    if (time.calendar) {
+      const auto& [year, month, day, hour, minute] = *time.calendar;
+      for (const auto& [key, ref] :
+           {std::pair("year", &year), {"month", &month}, {"day", &day}, {"hour", &hour}, {"minute", &minute}})
+        node.add(key, column(*ref));
+    }
     if (time.date_order != formats::DateOrder::YearFirst)
       node.add("order", DocumentNode::string(std::string(date_order_name(time.date_order))));
-    if (time.nanoseconds) node.add("nanoseconds", column(*time.nanoseconds));
+    if (time.nanoseconds)
+      node.add(time.rest_unit_ns == 1       ? "nanoseconds"
+               : time.rest_unit_ns == 1'000 ? "microseconds"
+                                            : "milliseconds",
+               column(*time.nanoseconds));
     if (time.offset_ns != 0) node.add("offset_s", DocumentNode::number(1e-9 * static_cast<double>(time.offset_ns)));
     return node;
   }
@@ -195,6 +206,8 @@ class ManifestWriter {
     if (lidar.in_names) {
       DocumentNode names = one_line();
       names.add("names", DocumentNode::string(unit_name(lidar.in_names->unit_ns)));
+      if (lidar.in_names->offset_ns != 0)
+        names.add("offset_s", DocumentNode::number(1e-9 * static_cast<double>(lidar.in_names->offset_ns)));
       return names;
     }
     if (lidar.in_points) return DocumentNode::string("from-points");

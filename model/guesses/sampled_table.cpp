@@ -6,10 +6,12 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 
 #include "messages/guesses.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/guesses/column_names.h"
+#include "model/guesses/no_value_number.h"
 #include "model/guesses/table_titles.h"
 
 namespace remount::guesses {
@@ -20,7 +22,6 @@ using formats::LineReader;
 using formats::TableText;
 
 constexpr std::size_t kHeadLines = 400;       ///< that may stand above the rows
-constexpr std::size_t kFewestRows = 5;        ///< of a table
 constexpr std::size_t kMostColumns = 400;     ///< of a table that is looked at
 constexpr std::size_t kSampledRows = 20'000;  ///< that are kept, about
 constexpr std::size_t kMostTexts = 12;
@@ -44,7 +45,8 @@ std::optional<double> number_of(std::string_view field, const TableText& text) {
 }
 
 bool is_clock(std::string_view field) {
-  return std::ranges::count(field, ':') == 2 && formats::parse_calendar_ns("2000-01-01 " + std::string(field));
+  const auto colons = std::ranges::count(field, ':');
+  return (colons == 2 || colons == 3) && formats::parse_calendar_ns("2000-01-01 " + std::string(field));
 }
 constexpr std::array kDateOrders{DateOrder::YearFirst, DateOrder::DayFirst, DateOrder::MonthFirst};
 bool is_day(std::string_view field, DateOrder order) {
@@ -77,7 +79,7 @@ Parting parting_of(const std::vector<std::string_view>& lines, char separator, b
     if (filled > kMostColumns) continue;
     double score = 0.0;
     for (std::size_t i = 0; i < filled; ++i) {
-      score += is_value(fields[i], parting.text) ? 1.0 : -0.5;
+      score += formats::is_no_value(fields[i]) ? 0.0 : is_value(fields[i], parting.text) ? 1.0 : -0.5;
       commas += decimal_commas && number_with_comma(fields[i]).has_value();
     }
     if (score <= 0.0) continue;
@@ -106,8 +108,10 @@ bool is_row(std::string_view line, const Parting& parting, std::vector<std::stri
   formats::split_declared(line, parting.text, fields);
   const std::size_t filled = formats::filled_fields(fields);
   if (filled == 0 || filled > parting.fields + 1 || fields.size() < parting.fields) return false;
-  const auto values = std::ranges::count_if(fields, [&](auto field) { return is_value(field, parting.text); });
-  return 2 * static_cast<std::size_t>(values) >= filled;
+  std::size_t values = 0, none = 0;
+  for (const std::string_view field : std::span(fields).first(filled))
+    formats::is_no_value(field) ? ++none : values += is_value(field, parting.text);
+  return values > 0 && 2 * (values + none) >= filled;
 }
 
 /// What stands above the rows.
@@ -179,6 +183,7 @@ double value_of(std::string_view field, const TableText& text, DateOrder order) 
 
 struct ColumnCounts {
   std::size_t numbers = 0, whole = 0, dates = 0, days = 0, clocks = 0;
+  std::size_t none = 0;                   ///< without a value
   std::array<std::size_t, 3> of_order{};  ///< dates and days
   std::size_t points = 0;                 ///< of these, that have points between day, month and year
   std::set<std::string> texts;
@@ -195,6 +200,10 @@ std::vector<DateOrder> orders_of(const ColumnCounts& counts) {
 }
 
 void count_field(std::string_view field, const TableText& text, ColumnCounts& counts) {
+  if (formats::is_no_value(field)) {
+    ++counts.none;
+    return;
+  }
   if (counts.texts.size() < kMostTexts && !field.empty()) counts.texts.emplace(shown_title(field));
   if (number_of(field, text)) {
     ++counts.numbers;
@@ -255,8 +264,11 @@ void take_values(std::string_view text, const Parting& parting, std::size_t firs
     }
   }
   for (std::size_t i = 0; i < parting.fields; ++i) {
-    const double all = static_cast<double>(table.columns[i].values.size());
-    const auto nearly_all = [&](std::size_t count) { return static_cast<double>(count) >= kNearlyAll * all; };
+    constexpr std::size_t kFewestOf = 10;  // one row in so many has a value at least
+    const std::size_t all = table.columns[i].values.size(), known = all - counts[i].none;
+    const auto nearly_all = [&](std::size_t count) {
+      return kFewestOf * known >= all && static_cast<double>(count) >= kNearlyAll * static_cast<double>(known);
+    };
     table.columns[i].numeric = nearly_all(counts[i].numbers);
     table.columns[i].whole = table.columns[i].numeric && counts[i].whole >= counts[i].numbers;
     table.columns[i].varies = counts[i].texts.size() > 1;
@@ -267,6 +279,7 @@ void take_values(std::string_view text, const Parting& parting, std::size_t firs
       take_order(orders_of(counts[i]), by_day[i], by_month[i], table.columns[i]);
     table.columns[i].texts.assign(counts[i].texts.begin(), counts[i].texts.end());
   }
+  find_no_value(table);
 }
 
 }  // namespace
@@ -318,7 +331,8 @@ std::optional<SampledTable> sample_table(const std::filesystem::path& path, std:
     if (i < head.units.size()) table.columns[i].unit = shown_title(head.units[i]);
   }
   take_values(text, parting, head.row_line, table);
-  if (table.columns.front().values.size() < kFewestRows || 2 * table.bad_rows > table.columns.front().values.size())
+  if (table.columns.front().values.size() < kFewestRowsOfTable ||
+      2 * table.bad_rows > table.columns.front().values.size())
     return std::nullopt;
   return table;
 }

@@ -29,14 +29,17 @@ struct SampledColumn {
   std::vector<std::string> texts;    ///< what stands there, a few of them, each once
 };
 
+inline constexpr std::size_t kFewestRowsOfTable = 5;
+
 /// Rows in their order, of a long table every second, third, ...
 struct SampledTable {
   std::filesystem::path path;
   formats::TableText text;  ///< with skip_lines as the names of columns need it, or its rows
   bool named = false;       ///< columns can be named as the line above the rows has them, else by their number
   std::vector<SampledColumn> columns;
-  std::size_t rows = 0;      ///< in all
-  std::size_t bad_rows = 0;  ///< of another number of fields than most
+  std::size_t rows = 0;                  ///< in all
+  std::size_t bad_rows = 0;              ///< of another number of fields than most
+  std::vector<std::string> no_value_in;  ///< columns in which text.no_value stands
 
   /// How a manifest names a column.
   formats::ColumnRef ref(std::size_t column) const;

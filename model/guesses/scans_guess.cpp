@@ -22,12 +22,6 @@ using formats::NameTimes;
 constexpr std::int64_t kFirstDate_ns = 946'684'800LL * 1'000'000'000;   // 2000
 constexpr std::int64_t kLastDate_ns = 4'102'444'800LL * 1'000'000'000;  // 2100
 
-double median_step_s(const std::vector<std::int64_t>& stamps_ns) {
-  std::vector<std::int64_t> steps;
-  for (std::size_t i = 1; i < stamps_ns.size(); ++i) steps.push_back(stamps_ns[i] - stamps_ns[i - 1]);
-  return steps.empty() ? 0.0 : seconds(median_of(std::move(steps)));
-}
-
 bool are_dates(const std::vector<std::int64_t>& stamps_ns) {
   return !stamps_ns.empty() && stamps_ns.front() > kFirstDate_ns && stamps_ns.back() < kLastDate_ns;
 }
@@ -48,8 +42,9 @@ bool are_numbers(const std::vector<fs::path>& in_order) {
   std::optional<std::int64_t> before;
   std::size_t by_one = 0;
   for (const fs::path& file : in_order) {
-    const auto number = formats::time_in_name_ns(file.stem().string(), 1);
-    if (!number || *number > kLargestNumber) return false;
+    const std::string stem = file.stem().string();
+    const auto number = formats::time_in_name_ns(stem, 1);
+    if (!number || stem.find('.') != std::string::npos || *number > kLargestNumber) return false;
     by_one += before && *number - *before == 1;
     before = number;
   }
@@ -66,10 +61,19 @@ std::vector<std::int64_t> stamps_of_names(const CloudFolder& folder) {
   return ascending_stamps(formats::scans_from_names(folder.files, folder.directory, folder.format, findings));
 }
 
+/// Numbers behind a date that would be seconds from midnight on: "20210101_000007" is the seventh of that day.
+bool count_from_midnight(const std::vector<std::int64_t>& stamps_ns) {
+  constexpr std::int64_t kOneSecond_ns = 1'000'000'000, kDay_ns = 86'400 * kOneSecond_ns;
+  if (stamps_ns.size() < 2 || stamps_ns.front() % kDay_ns > 10 * kOneSecond_ns) return false;
+  for (std::size_t i = 1; i < stamps_ns.size(); ++i)
+    if (stamps_ns[i] - stamps_ns[i - 1] != kOneSecond_ns) return false;
+  return stamps_ns.front() % kOneSecond_ns == 0;
+}
+
 /// Names that are dates, whole or in part.
 bool take_dates(const CloudFolder& folder, const std::vector<fs::path>& in_order, ScansGuess& scans) {
   const auto fit = [&](const std::vector<std::int64_t>& stamps_ns) {
-    return stamps_ns.size() == in_order.size() && are_dates(stamps_ns) &&
+    return stamps_ns.size() == in_order.size() && are_dates(stamps_ns) && !count_from_midnight(stamps_ns) &&
            have_steps_of_scans(stamps_ns, kLongestStepOfDates_s);
   };
   scans.stamps_ns = stamps_of_names(folder);
@@ -126,6 +130,7 @@ bool take_numbers(const CloudFolder& folder, const std::vector<fs::path>& in_ord
   Guess guess = stamps_guess({say::guess_stamps_names()}, Sureness::Open);
   guess.alternatives.push_back(say::guess_stamps_may_be_numbers());
   scans.guesses.push_back(std::move(guess));
+  scans.by_numbers = true;
   return scans.timed = true;
 }
 
@@ -160,6 +165,16 @@ std::string_view type_of(formats::CloudFormat format) {
 }
 
 }  // namespace
+
+double median_step_s(const std::vector<std::int64_t>& stamps_ns) {
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < stamps_ns.size(); ++i) steps.push_back(stamps_ns[i] - stamps_ns[i - 1]);
+  return steps.empty() ? 0.0 : seconds(median_of(std::move(steps)));
+}
+
+bool names_count(const CloudFolder& folder) {
+  return are_numbers(formats::scans_in_order(folder.files, folder.format));
+}
 
 std::string type_name(formats::CloudFormat format) { return std::string(type_of(format)); }
 

@@ -26,6 +26,7 @@ struct ScansGuess {
   bool in_points = false;                       ///< the points have dates
   std::optional<formats::ScanTimes> table;      ///< somebody's
   std::optional<std::filesystem::path> stamps;  ///< a table as a native session has it
+  bool by_numbers = false;                      ///< names are numbers that may be times of whatever clock
   bool timed = false;                           ///< when they were taken is known
   bool per_point = false;
   std::vector<std::int64_t> stamps_ns;  ///< ascending
@@ -34,6 +35,11 @@ struct ScansGuess {
 
 /// "pcd", "kitti-bin": as a manifest has it.
 std::string type_name(formats::CloudFormat format);
+
+double median_step_s(const std::vector<std::int64_t>& stamps_ns);
+
+/// Whether the names are numbers that go up by one, as those of files do.
+bool names_count(const CloudFolder& folder);
 
 /// Reads every scan where only their points tell when they were taken.
 /// @param tables that were found anywhere

@@ -23,11 +23,13 @@ void ignore(TableChoices& choices, const std::array<ColumnRole, N>& roles) {
     if (is_one_of(role, roles)) role = ColumnRole::Ignored;
 }
 
-/// The place of the third coordinate is one, whichever way it counts.
+/// The place of the third coordinate is one, whichever way it counts, and so is that of the rest of a second.
 bool share_place(ColumnRole a, ColumnRole b) {
   const auto third = [](ColumnRole role) { return role == ColumnRole::Height || role == ColumnRole::Down; };
-  return a == b || (third(a) && third(b));
+  return a == b || (third(a) && third(b)) || (is_one_of(a, kRestRoles) && is_one_of(b, kRestRoles));
 }
+
+constexpr std::array<std::int64_t, 3> kRestUnits_ns{1, 1'000, 1'000'000};  // of kRestRoles
 
 AttitudeStyle style_of(const InsTableLayout& layout) {
   if (layout.quaternion)
@@ -113,8 +115,11 @@ class LayoutMaker {
     layout_.time_scale = choices_.time_scale;
     layout_.offset_ns = choices_.offset_ns;
     layout_.gps_week = if_any(ColumnRole::Week);
-    layout_.day = if_any(ColumnRole::Day);
-    layout_.nanoseconds = if_any(ColumnRole::Nanoseconds);
+    for (std::size_t i = 0; i < kRestRoles.size(); ++i)
+      if (const auto rest = if_any(kRestRoles[i])) layout_.nanoseconds = rest, layout_.rest_unit_ns = kRestUnits_ns[i];
+    const bool in_parts = std::ranges::any_of(kCalendarRoles, [&](ColumnRole role) { return choices_.has(role); });
+    if (in_parts) put_calendar();
+    layout_.day = in_parts ? std::nullopt : if_any(ColumnRole::Day);
     if (layout_.gps_week && (choices_.time_scale != TimeScale::Gps || layout_.is_date))
       contradictions_.push_back(say::import_week_needs_gps());
     if (layout_.day && !layout_.is_date) contradictions_.push_back(say::import_day_needs_date());
@@ -122,6 +127,13 @@ class LayoutMaker {
       contradictions_.push_back(say::import_nanoseconds_need_seconds());
     if (layout_.is_date && choices_.time_scale == TimeScale::GpsWeek)
       contradictions_.push_back(say::import_date_is_of_no_week());
+  }
+
+  void put_calendar() {
+    layout_.calendar = {ref(ColumnRole::Year), ref(ColumnRole::Month), ref(ColumnRole::Day), ref(ColumnRole::Hour),
+                        ref(ColumnRole::Minute)};
+    if (choices_.time_unit_ns != kWholeSecond_ns || choices_.time_scale == TimeScale::GpsWeek || layout_.gps_week)
+      contradictions_.push_back(say::import_date_parts_need_seconds());
   }
 
   void put_position() {
@@ -199,14 +211,16 @@ std::optional<ColumnRole> role_of(Quantity quantity) {
 
 Message words(ColumnRole role) {
   static constexpr std::array<Message (*)(), kColumnRoleCount> kWords{
-      say::import_role_ignored,    say::import_role_time,        say::import_role_day,
-      say::import_role_week,       say::import_role_nanoseconds, say::import_role_latitude,
-      say::import_role_longitude,  say::import_role_east,        say::import_role_north,
-      say::import_role_height,     say::import_role_down,        say::import_role_yaw,
-      say::import_role_pitch,      say::import_role_roll,        say::import_role_qx,
-      say::import_role_qy,         say::import_role_qz,          say::import_role_qw,
-      say::import_role_sigma_east, say::import_role_sigma_north, say::import_role_sigma_up,
-      say::import_role_sigma_yaw,  say::import_role_sigma_pitch, say::import_role_sigma_roll,
+      say::import_role_ignored,      say::import_role_time,        say::import_role_day,
+      say::import_role_week,         say::import_role_nanoseconds, say::import_role_microseconds,
+      say::import_role_milliseconds, say::import_role_year,        say::import_role_month,
+      say::import_role_hour,         say::import_role_minute,      say::import_role_latitude,
+      say::import_role_longitude,    say::import_role_east,        say::import_role_north,
+      say::import_role_height,       say::import_role_down,        say::import_role_yaw,
+      say::import_role_pitch,        say::import_role_roll,        say::import_role_qx,
+      say::import_role_qy,           say::import_role_qz,          say::import_role_qw,
+      say::import_role_sigma_east,   say::import_role_sigma_north, say::import_role_sigma_up,
+      say::import_role_sigma_yaw,    say::import_role_sigma_pitch, say::import_role_sigma_roll,
       say::import_role_quality,
   };
   return kWords[static_cast<std::size_t>(role)]();
@@ -256,8 +270,8 @@ void give_role(const SampledTable& table, TableChoices& choices, std::size_t col
   }
   take_stated_unit(table, column, choices);
   // What goes with one unit or clock alone brings it along.
-  if (role == ColumnRole::Day) choices.time_unit_ns = 0;
-  if (role == ColumnRole::Nanoseconds) choices.time_unit_ns = kWholeSecond_ns;
+  if (role == ColumnRole::Day && !choices.has(ColumnRole::Year)) choices.time_unit_ns = 0;
+  if (is_one_of(role, kRestRoles) || is_one_of(role, kCalendarRoles)) choices.time_unit_ns = kWholeSecond_ns;
   if (role == ColumnRole::Week) {
     choices.time_scale = TimeScale::Gps;
     if (choices.time_unit_ns == 0) choices.time_unit_ns = kWholeSecond_ns;
@@ -270,7 +284,12 @@ void take_time(const SampledTable& table, const formats::TimeColumns& time, Tabl
   putter.put(time.time, ColumnRole::Time);
   if (time.day) putter.put(*time.day, ColumnRole::Day);
   if (time.gps_week) putter.put(*time.gps_week, ColumnRole::Week);
-  if (time.nanoseconds) putter.put(*time.nanoseconds, ColumnRole::Nanoseconds);
+  for (std::size_t i = 0; i < kRestRoles.size(); ++i)
+    if (time.nanoseconds && time.rest_unit_ns == kRestUnits_ns[i]) putter.put(*time.nanoseconds, kRestRoles[i]);
+  if (time.calendar)
+    putter.put_all(std::array{time.calendar->year, time.calendar->month, time.calendar->day, time.calendar->hour,
+                              time.calendar->minute},
+                   {ColumnRole::Year, ColumnRole::Month, ColumnRole::Day, ColumnRole::Hour, ColumnRole::Minute});
   choices.time_unit_ns = time.is_date ? 0 : time.time_unit_ns;
   choices.date_order = time.date_order;
   choices.time_scale = time.time_scale;

@@ -18,9 +18,15 @@ namespace remount::guesses {
 enum class ColumnRole {
   Ignored,
   Time,
-  Day,          ///< of a time of day
+  Day,          ///< of a time of day, or of the month beside year, month, hour and minute
   Week,         ///< of GPS
   Nanoseconds,  ///< beside whole seconds
+  Microseconds,
+  Milliseconds,
+  Year,
+  Month,
+  Hour,
+  Minute,
   Latitude,
   Longitude,
   East,
@@ -42,12 +48,18 @@ enum class ColumnRole {
   SigmaRoll,
   Quality,
 };
-inline constexpr std::size_t kColumnRoleCount = 25;
+inline constexpr std::size_t kColumnRoleCount = 31;
 /// "latitude".
 Message words(ColumnRole role);
 
 // What says one thing together, in the order of the roles.
-inline constexpr std::array kTimeRoles{ColumnRole::Time, ColumnRole::Day, ColumnRole::Week, ColumnRole::Nanoseconds};
+inline constexpr std::array kTimeRoles{
+    ColumnRole::Time,         ColumnRole::Day,  ColumnRole::Week,  ColumnRole::Nanoseconds, ColumnRole::Microseconds,
+    ColumnRole::Milliseconds, ColumnRole::Year, ColumnRole::Month, ColumnRole::Hour,        ColumnRole::Minute};
+/// Parts of a date, beside the day.
+inline constexpr std::array kCalendarRoles{ColumnRole::Year, ColumnRole::Month, ColumnRole::Hour, ColumnRole::Minute};
+/// Beside whole seconds: one of them.
+inline constexpr std::array kRestRoles{ColumnRole::Nanoseconds, ColumnRole::Microseconds, ColumnRole::Milliseconds};
 inline constexpr std::array kGeodeticRoles{ColumnRole::Latitude, ColumnRole::Longitude};
 inline constexpr std::array kMetricRoles{ColumnRole::East, ColumnRole::North, ColumnRole::Down};
 inline constexpr std::array kPositionRoles{ColumnRole::Latitude, ColumnRole::Longitude, ColumnRole::East,

@@ -8,32 +8,34 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/files/text_file.h"
 #include "model/guesses/motion_guess.h"
+#include "model/guesses/unread_times.h"
 
 namespace remount::guesses {
 namespace {
 
-Guess rows_guess(const SampledTable& table, const TimeReading& time, std::size_t samples) {
-  const double rate_hz = rows_per_second(table, time);
-  Guess guess{GuessKind::Rows, {}, "", Sureness::Checked, {}, {}};
-  guess.evidence.push_back(
-      say::guess_rows(samples, table.rows, Frequency{rate_hz}, Duration{time.last_s - time.first_s}));
+/// @param left_out how many rows were not read, and why the first was not; empty where all were
+Guess rows_guess(const SampledTable& table, const TimeReading& time, std::size_t samples, const Message& left_out) {
+  const double span_s = time.last_s - time.first_s;
+  const double rate_hz = span_s > 0.0 ? static_cast<double>(samples - 1) / span_s : 0.0;
+  const bool few = 2 * samples < table.rows;
+  Guess guess{GuessKind::Rows, {}, "", few ? Sureness::Likely : Sureness::Checked, {}, {}};
+  guess.evidence.push_back(say::guess_rows(samples, table.rows, Frequency{rate_hz}, Duration{span_s}));
+  if (samples < table.rows && !left_out.empty()) guess.evidence.push_back(left_out);
+  if (table.text.no_value)
+    guess.evidence.push_back(say::guess_no_value_number(*table.text.no_value, table.no_value_in));
   if (table.text.decimal_commas) guess.evidence.push_back(say::guess_decimal_commas());
   return guess;
 }
 
 /// Everything that the manifest will say is read as its reader reads it.
-bool read_as_declared(const FoundTable& found, InsGuess& ins, std::vector<Message>& missing) {
-  std::vector<drive::Finding> findings;
+bool read_as_declared(const FoundTable& found, InsGuess& ins, std::vector<drive::Finding>& findings,
+                      std::vector<Message>& missing) {
   try {
     const std::string text = formats::read_text_file(found.file);
-    const auto take = [&](const auto& items) {
-      ins.samples = items.size();
-      ins.span = {items.front().stamp_ns, items.back().stamp_ns};
-    };
     if (ins.layout.metric_position)
-      take(formats::parse_pose_table(text, found.file, ins.layout, findings));
+      put_times_of(formats::parse_pose_table(text, found.file, ins.layout, findings), ins);
     else
-      take(formats::parse_ins_table(text, found.file, ins.layout, findings));
+      put_times_of(formats::parse_ins_table(text, found.file, ins.layout, findings), ins);
   } catch (const Error& error) {
     missing.push_back(say::guess_refused(drive::message_of(error)));
     return false;
@@ -51,8 +53,10 @@ std::optional<InsGuess> guess_ins_of(const FoundTable& found, const std::vector<
     for (Message& unread : unread_units(found.table, names)) missing.push_back(std::move(unread));
   };
   auto time = choose_time(found.table, names, stamps_ns);
-  if (!time) {
-    lack(say::guess_no_time());
+  // What counts the rows goes for a time only where no column is called one.
+  const bool counter = time && !time->reading.by_name && time->reading.counts;
+  if (!time || (counter && has_unread_time(found.table, names))) {
+    for (Message& why : why_no_time(found.table, names)) lack(std::move(why));
     return std::nullopt;
   }
   std::vector<Message> lacks;
@@ -63,8 +67,10 @@ std::optional<InsGuess> guess_ins_of(const FoundTable& found, const std::vector<
   ins.week_open = time->reading.week_open();
   static_cast<formats::TimeColumns&>(ins.layout) = time->reading.columns;
   ins.layout.text = found.table.text;
-  if (!read_as_declared(found, ins, missing)) return std::nullopt;
-  ins.guesses = {rows_guess(found.table, time->reading, ins.samples), std::move(time->guess),
+  std::vector<drive::Finding> findings;
+  if (!read_as_declared(found, ins, findings, missing)) return std::nullopt;
+  const Message left_out = findings.empty() ? Message() : findings.front().explanation;
+  ins.guesses = {rows_guess(found.table, time->reading, ins.samples, left_out), std::move(time->guess),
                  std::move(motion->position), std::move(motion->attitude)};
   for (Guess& guess : motion->others) ins.guesses.push_back(std::move(guess));
   return ins;
@@ -74,8 +80,12 @@ void place_in_week(InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) {
   if (!ins.week_open || stamps_ns.empty()) return;
   const auto [first, last] = std::ranges::minmax_element(stamps_ns);
   const conventions::TimeSpan scans{*first, *last}, span = ins.span;
-  ins.span = {conventions::placed_in_week_ns(span.first_ns, span, scans),
-              conventions::placed_in_week_ns(span.last_ns, span, scans)};
+  const auto placed = [&](const conventions::TimeSpan& one) {
+    return conventions::TimeSpan{conventions::placed_in_week_ns(one.first_ns, span, scans),
+                                 conventions::placed_in_week_ns(one.last_ns, span, scans)};
+  };
+  ins.span = placed(span);
+  for (conventions::TimeSpan& stretch : ins.stretches) stretch = placed(stretch);
 }
 
 }  // namespace remount::guesses

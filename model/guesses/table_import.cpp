@@ -66,6 +66,7 @@ class ChosenIns {
     ins_.layout = std::move(layout);
     ins_.samples = checks_.samples;
     ins_.span = checks_.span;
+    ins_.stretches = checks_.stretches;
     ins_.week_open = checks_.week_open;
     const TableChoices& preset = table_.preset;
     const bool time = same_time(choices_, preset);

@@ -22,9 +22,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+std::optional<std::int64_t> date_from_name(std::string_view stem) {
+  const auto whole = parse_date_ns(stem);
+  return whole ? whole : date_in_name_ns(stem);
+}
+
 /// "1317384506400000000" (ns), "1317384506.4" (s) or a date.
 std::optional<std::int64_t> stamp_from_name(std::string_view stem) {
-  if (const auto date = parse_date_ns(stem)) return date;
+  if (const auto date = date_from_name(stem)) return date;
   if (stem.find('.') == std::string_view::npos && stem.size() > 15) return parse_integer(stem);
   return parse_seconds_ns(stem);
 }
@@ -91,9 +96,11 @@ std::vector<drive::ScanFile> scans_from_names(const std::vector<fs::path>& files
                                               CloudFormat format, const NameTimes& times,
                                               std::vector<drive::Finding>& findings) {
   return stamped_by_name(files, directory, format, findings, [&](const std::string& stem) {
-    const std::optional<std::int64_t> its_ns = time_in_name_ns(stem, times.unit_ns);
+    const bool dates = times.unit_ns == 0;
+    const std::optional<std::int64_t> its_ns = dates ? date_from_name(stem) : time_in_name_ns(stem, times.unit_ns);
     if (!its_ns || !is_stamp(*its_ns)) return std::optional<std::int64_t>();
-    return moved_ns(times.scale == TimeScale::Gps ? unix_ns_from_gps_ns(*its_ns) : *its_ns, times.offset_ns);
+    const bool gps = times.scale == TimeScale::Gps;
+    return moved_ns(gps ? unix_ns_from_gps_ns(*its_ns - (dates ? kGpsEpoch_ns : 0)) : *its_ns, times.offset_ns);
   });
 }
 

@@ -13,15 +13,15 @@
 
 namespace remount::formats {
 
-/// Of files whose names are stamps ("1317384506400000000" ns, "1317384506.4" s, or a date), ascending. Other names
-/// become a finding.
+/// Of files whose names are stamps ("1317384506400000000" ns, "1317384506.4" s) or hold a date (date_in_name_ns),
+/// ascending. Other names become a finding.
 std::vector<drive::ScanFile> scans_from_names(const std::vector<std::filesystem::path>& files,
                                               const std::filesystem::path& directory, CloudFormat format,
                                               std::vector<drive::Finding>& findings);
 
 /// How times stand in names that are not those alone.
 struct NameTimes {
-  std::int64_t unit_ns = 1'000'000'000;
+  std::int64_t unit_ns = 1'000'000'000;  ///< 0: dates
   TimeScale scale = TimeScale::Unix;
   std::int64_t offset_ns = 0;  ///< added to them
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "algorithms/core/error.h"
@@ -33,6 +34,10 @@ std::vector<ColumnRef> columns_of(const TimeColumns& time) {
   std::vector<ColumnRef> columns{time.time};
   for (const auto* more : {&time.gps_week, &time.day, &time.nanoseconds})
     if (*more) columns.push_back(**more);
+  if (time.calendar) {
+    const auto& [year, month, day, hour, minute] = *time.calendar;
+    columns.insert(columns.end(), {year, month, day, hour, minute});
+  }
   return columns;
 }
 
@@ -48,52 +53,6 @@ std::string_view with_points(std::string_view text, const TableText& how, std::s
   memory = text;
   std::ranges::replace(memory, ',', '.');
   return memory;
-}
-
-namespace {
-
-/// "2023-11-14 22:13" of "14.11.2023 22:13"; nothing where the year does not come last.
-std::optional<std::string> with_year_first(std::string_view text, DateOrder order) {
-  constexpr std::size_t kYearDigits = 4;
-  std::array<std::string_view, 3> parts;
-  char apart = '\0';
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t most = i == 2 ? kYearDigits : 2;
-    std::size_t digits = 0;
-    while (digits < most && digits < text.size() && is_digit(text[digits])) ++digits;
-    if (digits == 0 || (i == 2 && digits != kYearDigits)) return std::nullopt;
-    parts[i] = text.substr(0, digits);
-    text.remove_prefix(digits);
-    if (i == 2) break;
-    if (text.empty() || std::string_view("./-").find(text.front()) == std::string_view::npos) return std::nullopt;
-    if (apart != '\0' && text.front() != apart) return std::nullopt;
-    apart = text.front();
-    text.remove_prefix(1);
-  }
-  const bool day_first = order == DateOrder::DayFirst;
-  return std::string(parts[2]) + "-" + std::string(parts[day_first ? 1 : 0]) + "-" +
-         std::string(parts[day_first ? 0 : 1]) + std::string(text);
-}
-
-}  // namespace
-
-std::optional<std::int64_t> parse_calendar_ns(std::string_view text, DateOrder order) {
-  text = trim(text);
-  if (order != DateOrder::YearFirst) {
-    const auto turned = with_year_first(text, order);
-    return turned ? parse_calendar_ns(*turned) : std::nullopt;
-  }
-  for (const std::string_view zone : {"Z", "UTC", "+00:00", "+0000"})
-    if (text.size() > zone.size() && text.ends_with(zone)) {
-      text = trim(text.substr(0, text.size() - zone.size()));
-      break;
-    }
-  const std::size_t fraction = text.find_last_of(".,");
-  if (fraction == std::string_view::npos) return parse_date_ns(text);
-  if (!std::ranges::all_of(text.substr(fraction + 1), is_digit)) return std::nullopt;
-  std::string mended(text.substr(0, fraction + 10));
-  mended[fraction] = '.';
-  return parse_date_ns(mended);
 }
 
 std::optional<std::int64_t> time_in_name_ns(std::string_view stem, std::int64_t unit_ns) {
@@ -157,8 +116,29 @@ Message DeclaredRows::label(const ColumnRef& column) const {
 }
 
 double DeclaredRows::number(const ColumnRef& column) const {
-  return require_number(
-      field(column), [&] { return label(column); }, path_, line_number());
+  const std::string_view text = field(column);
+  if (is_no_value(text)) fail(say::table_no_value(label(column)));
+  const double value = require_number(
+      text, [&] { return label(column); }, path_, line_number());
+  if (text_.no_value == value) fail(say::log_not_known(label(column), std::string(text.substr(0, 40))));
+  return value;
+}
+
+/// Of parts that are whole numbers, and seconds with whatever is a fraction of them.
+std::optional<std::int64_t> DeclaredRows::calendar_ns(std::string_view seconds) const {
+  std::array<int, 6> parts{};
+  std::size_t i = 0;
+  for (const ColumnRef* column : {&time_.calendar->year, &time_.calendar->month, &time_.calendar->day,
+                                  &time_.calendar->hour, &time_.calendar->minute}) {
+    const double value = number(*column);
+    constexpr double kLargest = 9999.0;
+    if (value != std::floor(value) || !(std::abs(value) <= kLargest)) return std::nullopt;
+    parts[i++] = static_cast<int>(value);
+  }
+  const auto minute_ns = date_of_parts_ns(parts, 0);
+  const auto second_ns = parse_time_ns(seconds, kSecond_ns);
+  if (!minute_ns || !second_ns || *second_ns < 0 || *second_ns >= 61 * kSecond_ns) return std::nullopt;
+  return *minute_ns + *second_ns;
 }
 
 std::optional<std::int64_t> DeclaredRows::counted_ns(std::string_view text) const {
@@ -166,11 +146,11 @@ std::optional<std::int64_t> DeclaredRows::counted_ns(std::string_view text) cons
     if (!time_.day) return parse_calendar_ns(text, time_.date_order);
     return parse_calendar_ns(std::string(field(*time_.day)) + " " + std::string(text), time_.date_order);
   }
-  const auto whole_ns = parse_time_ns(text, time_.time_unit_ns);
+  const auto whole_ns = time_.calendar ? calendar_ns(text) : parse_time_ns(text, time_.time_unit_ns);
   if (!whole_ns || !time_.nanoseconds) return whole_ns;
-  const auto rest_ns = parse_integer(field(*time_.nanoseconds));
-  if (!rest_ns || *rest_ns < 0 || *rest_ns >= kSecond_ns) return std::nullopt;
-  return moved_ns(*whole_ns, *rest_ns);
+  const auto rest = parse_integer(field(*time_.nanoseconds));
+  if (!rest || *rest < 0 || *rest >= kSecond_ns / time_.rest_unit_ns) return std::nullopt;
+  return moved_ns(*whole_ns, *rest * time_.rest_unit_ns);
 }
 
 std::int64_t DeclaredRows::stamp_ns() {
@@ -190,8 +170,8 @@ std::int64_t DeclaredRows::stamp_before_offset_ns() {
     return *stamp;
   }
   if (time_.time_scale == TimeScale::Unix) return *counted;
-  if (time_.time_scale == TimeScale::Gps)
-    return unix_ns_from_gps_ns(time_.is_date ? *counted - kGpsEpoch_ns : *counted);
+  const bool date = time_.is_date || time_.calendar;
+  if (time_.time_scale == TimeScale::Gps) return unix_ns_from_gps_ns(date ? *counted - kGpsEpoch_ns : *counted);
   const auto in_week = *counted >= 0 && *counted <= kGpsWeek_ns ? weeks_.running_ns(*counted) : std::nullopt;
   if (!in_week) fail(say::ins_gps_week());
   return unix_ns_from_gps_ns(*in_week);
@@ -201,6 +181,8 @@ std::int64_t DeclaredRows::stamp_before_offset_ns() {
 Message DeclaredRows::no_time(std::string_view text) const {
   const Message column = label(time_.time);
   const std::string shown(text.substr(0, 40));
+  if (is_no_value(text)) return say::table_no_value(column);
+  if (time_.calendar) return say::ins_no_calendar();
   if (time_.is_date) return say::ins_no_date(column, shown);
   const std::string declared(time_unit_name(time_.time_unit_ns));
   for (const std::int64_t unit_ns : {1'000'000, 1'000, 1})

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/formats/files/calendar_text.h"
 #include "model/formats/files/csv_table.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/running_period.h"
@@ -19,7 +20,8 @@ namespace remount::formats {
 struct TableText {
   char separator = ',';  ///< ' ': any blanks
   bool decimal_commas = false;
-  std::size_t skip_lines = 0;  ///< above the line of names, or above the rows where columns go by their number
+  std::size_t skip_lines = 0;        ///< above the line of names, or above the rows where columns go by their number
+  std::optional<double> no_value{};  ///< a number that stands for one that was not known
 };
 
 /// A column by its name in the header line, or by its number from 0 where the name is empty.
@@ -34,11 +36,9 @@ enum class TimeScale {
   GpsWeek,  ///< counts from the start of a week of GPS that nothing names
 };
 
-/// What stands first in a date.
-enum class DateOrder {
-  YearFirst,
-  DayFirst,    ///< 14.11.2023, 14/11/2023
-  MonthFirst,  ///< 11/14/2023
+/// Columns that hold the parts of a date, beside one with its seconds.
+struct CalendarColumns {
+  ColumnRef year, month, day, hour, minute;
 };
 
 /// What times count.
@@ -49,9 +49,11 @@ struct TimeColumns {
   std::optional<ColumnRef> gps_week;  ///< the time column then counts from the start of the week
   bool is_date = false;               ///< the time column is a text "2023-11-14 22:13:20.5"
   DateOrder date_order = DateOrder::YearFirst;
-  std::optional<ColumnRef> day;          ///< of such a text, where another column holds the day
-  std::optional<ColumnRef> nanoseconds;  ///< beside whole seconds in the time column
-  std::int64_t offset_ns = 0;            ///< added to what the columns say
+  std::optional<ColumnRef> day;             ///< of such a text, where another column holds the day
+  std::optional<ColumnRef> nanoseconds;     ///< beside whole seconds in the time column
+  std::int64_t rest_unit_ns = 1;            ///< what they count: of microseconds 1000
+  std::optional<CalendarColumns> calendar;  ///< the time column holds the seconds of a minute then
+  std::int64_t offset_ns = 0;               ///< added to what the columns say
 };
 
 std::vector<ColumnRef> columns_of(const TimeColumns& time);
@@ -61,11 +63,6 @@ void split_declared(std::string_view line, const TableText& text, std::vector<st
 
 /// The text with points of decimals in place of commas; in `memory` where that makes another text.
 std::string_view with_points(std::string_view text, const TableText& how, std::string& memory);
-
-/// "2023-11-14 22:13:20.5", "2023-11-14T22:13:20.5Z": nanoseconds of a calendar since 1970, without leap seconds.
-/// Digits behind nanoseconds are left out. Nothing where the text is no date of that order, or of another zone than
-/// UTC. Where the year comes last it has four digits, and what parts it is a point, a slash or a dash.
-std::optional<std::int64_t> parse_calendar_ns(std::string_view text, DateOrder order = DateOrder::YearFirst);
 
 /// A time that stands in the name of a file: its longest number, in units of `unit_ns`. Of seconds also those with nine
 /// digits of nanoseconds apart ("1600000000_123456789").
@@ -98,6 +95,7 @@ class DeclaredRows {
 
  private:
   Message no_time(std::string_view text) const;
+  std::optional<std::int64_t> calendar_ns(std::string_view seconds) const;
   std::optional<std::int64_t> counted_ns(std::string_view text) const;
   std::int64_t stamp_before_offset_ns();
 

@@ -190,6 +190,17 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
   return value;
 }
 
+bool is_no_value(std::string_view field) {
+  constexpr std::size_t kLongest = 6;
+  field = trim(field);
+  if (field.empty()) return true;
+  if (field.size() > kLongest) return false;
+  const std::string plain = lower_case(field);
+  static constexpr std::string_view kNone[] = {"nan", "+nan", "-nan", "n/a",  "na",   "#n/a",   "n.a.",
+                                               "-",   "--",   "---",  "null", "none", "(null)", "\\n"};
+  return std::find(std::begin(kNone), std::end(kNone), plain) != std::end(kNone);
+}
+
 std::string at_line(const std::filesystem::path& path, std::size_t line) {
   return path.string() + ":" + std::to_string(line);
 }

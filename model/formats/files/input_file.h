@@ -77,6 +77,10 @@ std::optional<double> parse_number(std::string_view text);
 std::optional<double> parse_any_number(std::string_view text);
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
+/// What tables write where a value was not known: nothing, "nan", "N/A", "-", "null". One list for all that read
+/// tables.
+bool is_no_value(std::string_view field);
+
 /// A place in a text file, for messages: "path:line".
 std::string at_line(const std::filesystem::path& path, std::size_t line);
 

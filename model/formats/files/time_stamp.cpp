@@ -46,6 +46,16 @@ std::optional<std::int64_t> fraction_ns(std::string_view text) {
 
 }  // namespace
 
+std::optional<std::int64_t> date_of_parts_ns(const std::array<int, 6>& parts, std::int64_t fraction_ns) {
+  using namespace std::chrono;
+  const year_month_day date{year{parts[0]}, month{static_cast<unsigned>(parts[1])},
+                            day{static_cast<unsigned>(parts[2])}};
+  if (!date.ok() || parts[0] < 1970 || parts[0] > 2200 || parts[3] > 23 || parts[4] > 59 || parts[5] > 60)
+    return std::nullopt;
+  const std::int64_t days = sys_days{date}.time_since_epoch().count();
+  return (days * 86400 + parts[3] * 3600 + parts[4] * 60 + parts[5]) * kSecond + fraction_ns;
+}
+
 std::optional<std::int64_t> parse_date_ns(std::string_view text) {
   std::array<int, 6> parts{};
   constexpr std::array<std::string_view, 5> kSeparators{"-/", "-/", "- T", ":-", ":-"};
@@ -61,13 +71,80 @@ std::optional<std::int64_t> parse_date_ns(std::string_view text) {
     if (!value) return std::nullopt;
     fraction = *value;
   }
-  using namespace std::chrono;
-  const year_month_day date{year{parts[0]}, month{static_cast<unsigned>(parts[1])},
-                            day{static_cast<unsigned>(parts[2])}};
-  if (!date.ok() || parts[0] < 1970 || parts[0] > 2200 || parts[3] > 23 || parts[4] > 59 || parts[5] > 60)
-    return std::nullopt;
-  const std::int64_t days = sys_days{date}.time_since_epoch().count();
-  return (days * 86400 + parts[3] * 3600 + parts[4] * 60 + parts[5]) * kSecond + fraction;
+  return date_of_parts_ns(parts, fraction);
+}
+
+namespace {
+
+/// Walks through a name from where a date may begin.
+class NameDateReader {
+ public:
+  explicit NameDateReader(std::string_view text) : text_(text) {}
+
+  std::optional<std::int64_t> read() {
+    const std::size_t run = std::min(text_.find_first_not_of(kDigits), text_.size());
+    if (run != 4 && run != 8 && run != 14 && run != 17 && run != 20) return std::nullopt;
+    if (!fixed(0, 4)) return std::nullopt;
+    const bool of_digits = run > 4;
+    const bool day = of_digits ? fixed(1, 2) && fixed(2, 2) : parted(1, "-_./") && parted(2, std::string(1, part_));
+    if (!day || (of_digits && (parts_[0] < 1990 || parts_[0] > 2099))) return std::nullopt;
+    if (run <= 8 && !separator(text_, "-_ T")) return std::nullopt;
+    if (!clock(run > 8) || !rest(run > 8)) return std::nullopt;
+    return date_of_parts_ns(parts_, fraction_);
+  }
+
+ private:
+  static constexpr std::string_view kDigits = "0123456789";
+
+  /// Exactly so many digits.
+  bool fixed(std::size_t part, std::size_t count) {
+    const std::size_t before = text_.size();
+    const std::optional<int> value = digits(text_, count);
+    if (!value || before - text_.size() != count) return false;
+    parts_[part] = *value;
+    return true;
+  }
+  /// One or two digits behind a separator, which is kept.
+  bool parted(std::size_t part, std::string_view by) {
+    if (text_.empty()) return false;
+    part_ = text_.front();
+    if (!separator(text_, by)) return false;
+    const std::optional<int> value = digits(text_, 2);
+    if (value) parts_[part] = *value;
+    return value.has_value();
+  }
+  bool clock(bool of_digits) {
+    if (!fixed(3, 2)) return false;
+    if (of_digits || (!text_.empty() && kDigits.find(text_.front()) != std::string_view::npos))
+      return fixed(4, 2) && fixed(5, 2);
+    return parted(4, "-_:.") && parted(5, std::string(1, part_));
+  }
+  /// A fraction, and words without numbers.
+  bool rest(bool of_digits) {
+    const bool point = separator(text_, ".,"), apart = !point && separator(text_, "_-:");
+    const std::size_t run = std::min(text_.find_first_not_of(kDigits), text_.size());
+    if (run > 0) {
+      const bool known = run == 3 || run == 6 || run == 9;
+      if (run > 9 || (!point && !known) || (!point && !apart && !of_digits)) return false;
+      fraction_ = *fraction_ns(text_.substr(0, run));
+    }
+    return text_.find_first_of(kDigits, run) == std::string_view::npos;
+  }
+
+  std::string_view text_;
+  std::array<int, 6> parts_{};
+  std::int64_t fraction_ = 0;
+  char part_ = '-';
+};
+
+}  // namespace
+
+std::optional<std::int64_t> date_in_name_ns(std::string_view stem) {
+  const auto is_digit = [&](std::size_t at) { return stem[at] >= '0' && stem[at] <= '9'; };
+  for (std::size_t at = 0; at < stem.size(); ++at)
+    if (is_digit(at) && (at == 0 || !is_digit(at - 1)))
+      if (const auto date = NameDateReader(stem.substr(at)).read()) return date;
+  return std::nullopt;
 }
 
 std::string format_date_ns(std::int64_t stamp_ns) {

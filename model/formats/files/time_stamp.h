@@ -1,6 +1,7 @@
 // Time stamps as logs write them, to Unix nanoseconds (UTC).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +15,14 @@ inline constexpr std::int64_t kGpsEpoch_ns = std::int64_t{315'964'800} * 1'000'0
 /// "2011-09-26 13:02:25.964389445" (KITTI) or "2021-10-26-16-21-29-468" (OpenCalib), read as UTC. The fraction may have
 /// any number of digits up to 9 and may be missing. Nothing where the text is no date.
 std::optional<std::int64_t> parse_date_ns(std::string_view text);
+
+/// Year, month, day, hour, minute and second, and nanoseconds; nothing where there is no such time.
+std::optional<std::int64_t> date_of_parts_ns(const std::array<int, 6>& parts, std::int64_t fraction_ns);
+
+/// A date and time that stand in the name of a file, with whatever words before and behind them:
+/// "lidar_2023-11-14T22-13-20.050Z", "20231114_221320_050", "20231114221320050". Of digits alone the year is from 1990
+/// to 2099, and three or six of them behind the seconds are their fraction. Nothing where other numbers follow.
+std::optional<std::int64_t> date_in_name_ns(std::string_view stem);
 
 /// The inverse, as KITTI writes it: "2011-09-26 13:02:25.964389445".
 std::string format_date_ns(std::int64_t stamp_ns);

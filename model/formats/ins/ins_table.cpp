@@ -82,7 +82,8 @@ class RowParser {
   /// An empty field, nan or a number that stands for a missing one: this line does not state it.
   double sigma(const ColumnRef& column) const {
     const auto value = parse_number(rows_.field(column));
-    return value && *value > 0.0 && !drive::means_not_known(*value) ? *value : std::numeric_limits<double>::quiet_NaN();
+    const bool stated = value && *value > 0.0 && !drive::means_not_known(*value) && layout_.text.no_value != *value;
+    return stated ? *value : std::numeric_limits<double>::quiet_NaN();
   }
 
   Eigen::Quaterniond attitude() {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/geometry/rotation.h"
 #include "messages/sessions.h"
@@ -90,7 +91,7 @@ TableText read_table_text(const DocumentView& beside) {
   TableText text;
   const auto node = beside.find("table");
   if (!node) return text;
-  node->allow_only({"separator", "decimals", "skip_lines"});
+  node->allow_only({"separator", "decimals", "skip_lines", "no_value"});
   if (const auto separator = node->find("separator"))
     text.separator =
         choice<char>(*separator, {{"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"blanks", ' '}, {"bar", '|'}});
@@ -102,6 +103,7 @@ TableText read_table_text(const DocumentView& beside) {
     if (!count || *count < 0 || *count > 10'000) skip->fail(say::native_skip_lines());
     text.skip_lines = static_cast<std::size_t>(*count);
   }
+  if (const auto none = node->find("no_value")) text.no_value = none->number();
   return text;
 }
 
@@ -114,8 +116,39 @@ std::int64_t read_offset_ns(const DocumentView& node) {
   return std::llround(offset_s * 1e9);
 }
 
+namespace {
+
+/// Of a date in columns of its own; `time` has its unit.
+void read_calendar(const DocumentView& node, TimeColumns& time) {
+  constexpr std::array kParts{"month", "hour", "minute"};
+  if (!node.has("year")) {
+    for (const char* part : kParts)
+      if (node.has(part)) node.fail(say::native_date_in_parts());
+    return;
+  }
+  if (time.time_unit_ns != 1'000'000'000 || time.time_scale == TimeScale::GpsWeek || node.has("week"))
+    node.at("year").fail(say::native_date_in_parts());
+  time.calendar = {read_column(node.at("year")), read_column(node.at("month")), read_column(node.at("day")),
+                   read_column(node.at("hour")), read_column(node.at("minute"))};
+}
+
+/// What stands beside whole seconds, in one of three units.
+void read_rest(const DocumentView& node, TimeColumns& time) {
+  for (const auto& [key, unit_ns] :
+       {std::pair("nanoseconds", 1), {"microseconds", 1'000}, {"milliseconds", 1'000'000}}) {
+    const auto rest = node.find(key);
+    if (!rest) continue;
+    if (time.time_unit_ns != 1'000'000'000 || time.nanoseconds) rest->fail(say::native_nanoseconds());
+    time.nanoseconds = read_column(*rest);
+    time.rest_unit_ns = unit_ns;
+  }
+}
+
+}  // namespace
+
 TimeColumns read_time_columns(const DocumentView& node) {
-  node.allow_only({"name", "index", "unit", "scale", "week", "day", "order", "nanoseconds", "offset_s"});
+  node.allow_only({"name", "index", "unit", "scale", "week", "day", "order", "year", "month", "hour", "minute",
+                   "nanoseconds", "microseconds", "milliseconds", "offset_s"});
   TimeColumns time;
   time.time = named_column(node);
   time.time_unit_ns = choice<std::int64_t>(
@@ -128,17 +161,17 @@ TimeColumns read_time_columns(const DocumentView& node) {
     time.gps_week = read_column(*week);
   }
   if (time.is_date && time.time_scale == TimeScale::GpsWeek) node.at("unit").fail(say::native_date());
-  const auto day = node.find("day"), nanoseconds = node.find("nanoseconds");
-  if (day && !time.is_date) day->fail(say::native_day());
-  if (day) time.day = read_column(*day);
+  read_calendar(node, time);
+  const auto day = node.find("day");
+  if (day && !time.is_date && !time.calendar) day->fail(say::native_day());
+  if (day && !time.calendar) time.day = read_column(*day);
   if (const auto order = node.find("order")) {
     if (!time.is_date) order->fail(say::native_order());
     time.date_order = choice<DateOrder>(*order, {{"year-first", DateOrder::YearFirst},
                                                  {"day-first", DateOrder::DayFirst},
                                                  {"month-first", DateOrder::MonthFirst}});
   }
-  if (nanoseconds && time.time_unit_ns != 1'000'000'000) nanoseconds->fail(say::native_nanoseconds());
-  if (nanoseconds) time.nanoseconds = read_column(*nanoseconds);
+  read_rest(node, time);
   time.offset_ns = read_offset_ns(node);
   return time;
 }

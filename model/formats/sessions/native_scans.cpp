@@ -50,8 +50,8 @@ void list_declared(const DocumentView& node, const fs::path& folder, SessionSour
   if (node.has("names")) {
     node.allow_only({"names", "scale", "offset_s"});
     NameTimes times;
-    times.unit_ns =
-        choice<std::int64_t>(node.at("names"), {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}});
+    times.unit_ns = choice<std::int64_t>(
+        node.at("names"), {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}, {"date", 0}});
     if (const auto scale = node.find("scale"))
       times.scale = choice<TimeScale>(*scale, {{"unix", TimeScale::Unix}, {"gps", TimeScale::Gps}});
     times.offset_ns = read_offset_ns(node);

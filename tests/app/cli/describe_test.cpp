@@ -67,6 +67,10 @@ TEST_F(describe_verb, what_is_missing_is_named_and_ends_with_3) {
   const Outcome nothing = run("describe " + path("nothing"));
   EXPECT_EQ(nothing.code, 3);
   EXPECT_NE(nothing.err.find("no table or log"), std::string::npos) << nothing.err;
+  std::ofstream(path("nothing/motion.csv")) << "time,lat,lon,h,roll,pitch,heading\n";
+  const Outcome told = run("describe " + path("nothing"));
+  EXPECT_EQ(told.code, 3);
+  EXPECT_NE(told.err.find("motion.csv: has 0 rows of numbers"), std::string::npos) << told.err;
   EXPECT_EQ(run("describe " + path("not-there")).code, 2);
   EXPECT_EQ(run("describe").code, 1);
 }

@@ -294,6 +294,8 @@ void add_texts(Recipes& list) {
 
 void add_tables(Recipes& list) {
   list.push_back({"described", "table", undeclared_table()});
+  list.push_back({"described", "parts", table_of_parts(false)});
+  list.push_back({"native", "declared-time-in-parts", table_of_parts(true)});
   list.push_back({"native", "declared", declared_table(false)});
   list.push_back({"native", "declared-poses", declared_table(true)});
 }

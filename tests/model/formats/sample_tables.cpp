@@ -44,4 +44,26 @@ std::string declared_table(bool metric) {
   return pack_files(files);
 }
 
+std::string table_of_parts(bool declared) {
+  std::string table = "year,month,day,hour,minute,second,Microseconds,lat,lon,alt,heading,pitch,roll\n";
+  for (int i = 0; i < 60; ++i)
+    table += "2020,9,13,12,26," + std::to_string(10 + i / 2) + (i % 2 ? ",500000" : ",0") + ",48.00" +
+             std::to_string(1000 + 5 * i) + ",9.00" + std::to_string(1000 + i * i) + ",250.5," +
+             (i % 9 == 4 ? "-9999" : std::to_string(10 + 2 * i)) + (i % 9 == 5 ? ",N/A" : ",0.5") + ",-0.25\n";
+  std::vector<PackedFile> files{{"motion.csv", table}};
+  for (int i = 0; i < 6; ++i)
+    files.push_back({"scans/top_20200913_12261" + std::to_string(i) + "_250.bin", kitti_bin(10)});
+  if (declared)
+    files.push_back(
+        {"session.yaml",
+         "format: remount-session/1\nname: parts\nscans: {directory: scans, type: kitti-bin, stamps: {names: "
+         "date}, timing: instant}\n"
+         "ins:\n  file: motion.csv\n  table: {no_value: -9999}\n  columns:\n"
+         "    time: {name: second, unit: s, scale: unix, year: year, month: month, day: day, hour: hour, minute: "
+         "minute, microseconds: Microseconds}\n"
+         "    latitude: {name: lat, unit: deg}\n    longitude: {name: lon, unit: deg}\n    height: {name: alt, "
+         "unit: m}\n    attitude: {convention: heading, unit: deg, yaw: heading, pitch: pitch, roll: roll}\n"});
+  return pack_files(files);
+}
+
 }  // namespace remount::formats::samples

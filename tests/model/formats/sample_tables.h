@@ -11,4 +11,8 @@ std::string undeclared_table();
 /// The same with its manifest. @param metric positions are metres
 std::string declared_table(bool metric);
 
+/// Times in columns of year to second, rows without a value, and scans with dates in their names.
+/// @param declared with its manifest
+std::string table_of_parts(bool declared);
+
 }  // namespace remount::formats::samples

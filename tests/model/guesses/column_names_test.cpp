@@ -51,6 +51,8 @@ TEST(column_names, makers_and_people_call_columns_by_many_names) {
 }
 
 TEST(column_names, units_are_told_without_a_name_that_is_known) {
+  EXPECT_EQ(unit_stated("TOW [0.001 s]"), "ms");
+  EXPECT_EQ(unit_stated("UTC Microseconds"), "us");
   for (const auto& [title, unit] : {std::pair("angle3 [rad]", "rad"),
                                     {"foo_deg", "deg"},
                                     {"speed (km/h)", "km/h"},

@@ -68,7 +68,19 @@ TEST(sampled_table, columns_are_numbers_dates_or_words) {
   EXPECT_DOUBLE_EQ(std::fmod(table.columns[3].values[0], 86'400.0), 80'000.5);
   EXPECT_TRUE(table.columns[4].day);
   EXPECT_EQ(table.columns[5].texts, std::vector<std::string>{"good"});
-  EXPECT_TRUE(table.columns[6].numeric) << "not a number is one that is not known";
+  EXPECT_FALSE(table.columns[6].numeric) << "a column without any value is nothing";
+}
+
+TEST(sampled_table, nines_far_outside_stand_for_no_value) {
+  std::string text = "t,a,b,c\n";
+  for (int i = 0; i < 20; ++i)
+    text += std::to_string(i) + (i % 4 == 1 ? ",-9999" : ",12.5") + "," + std::to_string(-10'010 + i) + ",N/A\n";
+  const SampledTable table = sampled(text);
+  EXPECT_EQ(table.text.no_value, -9999.0);
+  EXPECT_EQ(table.no_value_in, std::vector<std::string>{"a"}) << "b goes through that number";
+  EXPECT_TRUE(table.columns[1].numeric && std::isnan(table.columns[1].values[1]));
+  EXPECT_FALSE(table.columns[3].numeric);
+  EXPECT_FALSE(sampled("t,b\n" + rows("1,-9999")).text.no_value) << "nothing else stands there";
 }
 
 TEST(sampled_table, prose_and_nothing_are_no_tables) {

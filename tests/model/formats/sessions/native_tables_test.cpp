@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "algorithms/geometry/rotation.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/sessions/native_session_reader.h"
@@ -143,14 +145,49 @@ TEST_F(native_tables, times_of_scans_by_rows_by_names_and_in_names) {
 
 TEST_F(native_tables, names_may_be_dates) {
   folder_.write("ins.txt", kPlainIns);
-  folder_.write("d/2020-09-13-12-26-40-250.bin", std::string(32, '\x3f'));
+  for (const char* name : {"d/2020-09-13-12-26-40-250.bin", "e/top_20200913_122640.250.bin"})
+    folder_.write(name, std::string(32, '\x3f'));
+  const std::int64_t leap_ns = 18'000'000'000;
+  for (const auto& [directory, stamps, apart_ns] : {std::tuple("d", "from-names", std::int64_t{0}),
+                                                    {"e", "from-names", 0},
+                                                    {"e", "{names: date, scale: gps}", -leap_ns},
+                                                    {"d", "{names: date, offset_s: -3600}", -3600'000'000'000}}) {
+    folder_.write("session.yaml", std::string("format: remount-session/1\nname: t\nscans: {directory: ") + directory +
+                                      ", type: kitti-bin, stamps: " + stamps + ", timing: instant}\n" +
+                                      ins("", "unit: s, scale: unix"));
+    Progress progress;
+    EXPECT_EQ(NativeSessionReader().open(folder_.path(), progress).scans->stamp_ns(0),
+              kFirst_ns + 250'000'000 + apart_ns)
+        << directory << stamps;
+  }
+}
+
+TEST_F(native_tables, dates_in_columns_of_their_own_and_microseconds) {
   folder_.write(
-      "session.yaml",
-      "format: remount-session/1\nname: t\nscans: {directory: d, type: kitti-bin, stamps: from-names, timing: "
-      "instant}\n" +
-          ins("", "unit: s, scale: unix"));
-  Progress progress;
-  EXPECT_EQ(NativeSessionReader().open(folder_.path(), progress).scans->stamp_ns(0), kFirst_ns + 250'000'000);
+      "ins.txt",
+      "40.5,48,9,250,90,1,2,2020,9,13,12,26\n41,48,9,250,90,1,2,2020,9,13,12,26\n0,48,9,250,90,1,2,2020,13,1,1,1\n");
+  const std::string parts = "unit: s, year: 7, month: 8, day: 9, hour: 10, minute: 11, scale: ";
+  const drive::Session session = open(ins("", parts + "unix"));
+  ASSERT_EQ(session.ins.size(), 2U) << "there is no thirteenth month";
+  EXPECT_EQ(session.ins[0].stamp_ns, kFirst_ns + 500'000'000);
+  EXPECT_EQ(open(ins("", parts + "gps")).ins[0].stamp_ns, kFirst_ns + 500'000'000 - 18'000'000'000);
+  folder_.write("ins.txt", "1600000000,48,9,250,90,1,2,5\n1600000000,48,9,250,90,1,2,7\n");
+  EXPECT_EQ(open(ins("", "unit: s, scale: unix, microseconds: 7")).ins[1].stamp_ns, kFirst_ns + 7'000);
+  EXPECT_EQ(open(ins("", "unit: s, scale: unix, milliseconds: 7")).ins[1].stamp_ns, kFirst_ns + 7'000'000);
+  for (const char* wrong :
+       {"unit: s, scale: unix, month: 7", "unit: ms, scale: unix, year: 1, month: 2, day: 3, hour: 4, minute: 5",
+        "unit: s, scale: gps-week, year: 1, month: 2, day: 3, hour: 4, minute: 5"})
+    EXPECT_TRUE(contains(message(ins("", wrong)), "stand together")) << wrong;
+  EXPECT_TRUE(
+      contains(message(ins("", "unit: s, scale: unix, microseconds: 7, milliseconds: 7")), "one of them at most"));
+}
+
+TEST_F(native_tables, a_number_that_stands_for_no_value_is_declared) {
+  folder_.write("ins.txt", "1600000000,48,9,250,90,1,2\n1600000001,48,9,-123,91,1,2\n1600000002,48,9,,91,1,2\n");
+  const drive::Session session = open(ins("table: {no_value: -123}, ", "unit: s, scale: unix"));
+  EXPECT_EQ(session.ins.size(), 1U);
+  ASSERT_NE(find(session, "bad-ins"), nullptr);
+  EXPECT_EQ(open(ins("", "unit: s, scale: unix")).ins.size(), 2U);
 }
 
 TEST_F(native_tables, mistakes_are_named) {
