@@ -15,16 +15,21 @@ string(TIMESTAMP REMOUNT_PACKAGE_TIME "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file(${package_files}/invalid.localhost.remount.metainfo.xml.in ${made}/invalid.localhost.remount.metainfo.xml @ONLY)
 configure_file(${package_files}/changelog.Debian.in ${made}/changelog.Debian @ONLY)
 
-# remount_made(FILE DEPENDS … COMMAND …): the standard output of the command, compressed where the name ends so.
+# remount_made(FILE DEPENDS … COMMAND …): the standard output of the command, compressed where the name ends so. Never
+# through a pipe, of which only the last command's failure is seen; and under another name until it is whole.
 function(remount_made file)
   cmake_parse_arguments(ARG "" "" "DEPENDS;COMMAND" ${ARGN})
-  set(compress "")
-  if(file MATCHES "\\.gz$")
-    set(compress | gzip -9n)
-  endif()
   cmake_path(GET file PARENT_PATH folder)
   file(MAKE_DIRECTORY ${made}/${folder})
-  add_custom_command(OUTPUT ${made}/${file} COMMAND ${ARG_COMMAND} ${compress} > ${made}/${file}
+  set(part ${made}/${file}.part)
+  set(whole ${part})
+  set(compress "")
+  if(file MATCHES "\\.gz$")
+    set(compress COMMAND gzip -9nf ${part})
+    set(whole ${part}.gz)
+  endif()
+  add_custom_command(OUTPUT ${made}/${file} COMMAND ${ARG_COMMAND} > ${part} ${compress}
+    COMMAND ${CMAKE_COMMAND} -E rename ${whole} ${made}/${file}
     DEPENDS ${ARG_DEPENDS} COMMENT "Package: ${file}" VERBATIM)
   list(APPEND made_files ${made}/${file})
   set(made_files ${made_files} PARENT_SCOPE)

@@ -1,4 +1,4 @@
-# Sourced by packaging/run, packaging/test and packaging/fuzz: says what is being done and how far it is.
+# Sourced by what builds (packaging/run, test, fuzz, deb, docs …): says what is being done and how far it is.
 
 # Ninja would start two compilers more, which wait for memory: a sixth slower.
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}

@@ -104,10 +104,10 @@ void add_batch(CLI::App& app, Console& console, Run& run) {
   CLI::App* verb = app.add_subcommand("batch", console.words(say::help_batch()));
   verb->add_option("fleet", arguments->fleet, console.words(say::help_fleet()))->type_name("FLEET")->required();
   CLI::Option* jobs = verb->add_option("--jobs", arguments->at_once, console.words(say::help_jobs()))
-                          ->check(CLI::Range(0, 1024))
+                          ->check(CLI::Range(0, 1024).description(""))
                           ->type_name("N");
   CLI::Option* job = verb->add_option("--job", arguments->job, console.words(say::help_job()))
-                         ->check(CLI::Range(1, 100000))
+                         ->check(CLI::Range(1, 100000).description(""))
                          ->type_name("K");
   CLI::Option* table = verb->add_flag("--table", arguments->table, console.words(say::help_table()));
   CLI::Option* count = verb->add_flag("--count", arguments->count, console.words(say::help_count()));

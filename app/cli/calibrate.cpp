@@ -296,7 +296,7 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
       ->type_name("NAME");
   verb->add_flag("--follow", arguments->follow, console.words(say::help_follow()));
   verb->add_option("--settled", arguments->settled_s, console.words(say::help_settled()))
-      ->check(CLI::Range(0.1, 86400.0))
+      ->check(CLI::Range(0.1, 86400.0).description(""))
       ->capture_default_str()
       ->type_name("SECONDS");
   verb->add_option("--project", arguments->project, console.words(say::help_project()))->type_name("FILE");

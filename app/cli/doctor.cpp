@@ -21,8 +21,12 @@ Message bytes_or(const std::optional<std::uint64_t>& bytes, Message (*otherwise)
   return bytes ? say::doctor_bytes(Bytes{*bytes}) : otherwise();
 }
 
-Message folder_of(const fs::path& folder) {
-  if (folder.empty()) return say::doctor_no_folder();
+Message bytes_of(const Limit& limit) {
+  return limit.known ? bytes_or(limit.most, say::doctor_no_limit) : say::doctor_unknown();
+}
+
+Message folder_of(const fs::path& folder, Message (*otherwise)()) {
+  if (folder.empty()) return otherwise();
   const std::string shown = without_names(folder);
   return say::doctor_folder(shown, bytes_or(free_bytes_at(folder), say::doctor_unknown));
 }
@@ -42,9 +46,15 @@ Message threads_line(int threads) {
 
 Message memory_line() {
   const MemoryFacts memory = memory_facts();
-  return say::doctor_memory(
-      bytes_or(memory.total, say::doctor_unknown), bytes_or(memory.available, say::doctor_unknown),
-      bytes_or(memory.of_group, say::doctor_no_limit), bytes_or(memory.of_process, say::doctor_no_limit));
+  return say::doctor_memory(bytes_or(memory.total, say::doctor_unknown),
+                            bytes_or(memory.available, say::doctor_unknown), bytes_of(memory.of_group),
+                            bytes_of(memory.of_process));
+}
+
+Message files_line() {
+  const Limit files = most_open_files();
+  if (!files.known) return say::doctor_files_unknown();
+  return files.most ? say::doctor_files(*files.most) : say::doctor_files_unlimited();
 }
 
 Message locale_line() {
@@ -55,7 +65,6 @@ Message locale_line() {
 int examine(Console& console) {
   const fs::path sample = sample_folder();
   std::error_code unknown;
-  const auto files = most_open_files();
   const std::vector<Message> lines{
       say::doctor_program(kVersion, kBuild),
       say::doctor_place(without_names(program_file())),
@@ -66,10 +75,10 @@ int examine(Console& console) {
       registration::has_fast_kernels() ? say::doctor_kernels_avx2() : say::doctor_kernels_portable(),
       threads_line(console.options().threads),
       memory_line(),
-      files ? say::doctor_files(*files) : say::doctor_files_unlimited(),
+      files_line(),
       locale_line(),
-      say::doctor_cache(folder_of(formats::users_index_store().folder)),
-      say::doctor_temporary(folder_of(fs::temp_directory_path(unknown))),
+      say::doctor_cache(folder_of(formats::users_index_store().folder, say::doctor_no_folder)),
+      say::doctor_temporary(folder_of(fs::temp_directory_path(unknown), say::doctor_no_temporary)),
       sample.empty() ? say::doctor_no_sample() : say::doctor_sample(without_names(sample))};
   std::string text;
   for (const Message& line : lines) text += console.words(line) + "\n";

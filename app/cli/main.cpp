@@ -37,7 +37,7 @@ void add_common_options(CLI::App& app, Console& console) {
   app.add_option("--log", console.options().log_file, console.words(say::help_log()))->type_name("FILE");
   app.add_flag("--append-log", console.options().append_log, console.words(say::help_append_log()));
   app.add_option("-j,--threads", console.options().threads, console.words(say::help_threads()))
-      ->check(CLI::Range(0, 1024))
+      ->check(CLI::Range(0, 1024).description(""))
       ->type_name("N");
   const std::vector<std::string> languages(kLanguageTags.begin(), kLanguageTags.end());
   app.add_option_function<std::string>(

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/cli/program_words.h"
 #include "messages/command_help.h"
 #include "remount_version.h"
@@ -68,7 +70,8 @@ std::string section(const Message& title, Language language) { return ".SH " + t
 
 std::string man_page(CLI::App& program, Language language) {
   std::string about = program.get_description();
-  while (about.ends_with('.')) about.pop_back();
+  for (const std::string_view end : {".", "。"})
+    if (about.ends_with(end)) about.resize(about.size() - end.size());
   std::string text = ".\\\" Written by remount-cli --man-page\n.TH REMOUNT-CLI 1 \"\" \"Remount " +
                      std::string(kVersion) + "\" \"Remount\"\n.ad l\n" + section(say::man_name(), language) +
                      "remount\\-cli \\- " + troff(about) + "\n" + section(say::man_synopsis(), language) +

@@ -14,6 +14,8 @@
 #include <set>
 #include <utility>
 
+#include "app/cli/shown_path.h"
+
 namespace remount::cli {
 namespace {
 
@@ -24,13 +26,14 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Those that would tell whose machine this is.
+/// Those that would tell whose machine this is. One called as the program tells nothing.
 std::set<std::string> personal_names() {
-  std::set<std::string> names{variable("USER"), variable("LOGNAME")};
+  std::set<std::string> names{variable("USER"), variable("LOGNAME"), variable("SUDO_USER")};
   if (const passwd* user = ::getpwuid(::getuid())) names.insert(user->pw_name);  // NOLINT(concurrency-mt-unsafe)
   char host[256] = {};
-  if (::gethostname(host, sizeof(host) - 1) == 0) names.insert(host);
+  if (::gethostname(host, sizeof(host) - 1) == 0) names.merge(names_of_host(host));
   names.erase("");
+  names.erase("remount");
   return names;
 }
 
@@ -59,33 +62,15 @@ std::optional<std::uint64_t> kilobytes_of(std::string_view key) {
   return number ? std::optional(*number * 1024U) : std::nullopt;
 }
 
-std::optional<std::uint64_t> limit_of(int resource) {
+Limit limit_of(int resource) {
   rlimit limit{};
-  if (::getrlimit(static_cast<__rlimit_resource>(resource), &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
-  return limit.rlim_cur;
+  if (::getrlimit(static_cast<__rlimit_resource>(resource), &limit) != 0) return {};
+  return {true, limit.rlim_cur == RLIM_INFINITY ? std::nullopt : std::optional<std::uint64_t>(limit.rlim_cur)};
 }
 
 }  // namespace
 
-std::string without_names(const fs::path& path) {
-  const fs::path whole = path.lexically_normal(), home = fs::path(variable("HOME")).lexically_normal();
-  fs::path rest = whole;
-  fs::path shown;
-  if (home.has_relative_path()) {
-    const fs::path below = whole.lexically_relative(home);
-    if (!below.empty() && *below.begin() != "..") {
-      shown = "~";
-      rest = below == "." ? fs::path() : below;
-    }
-  }
-  const std::set<std::string> names = personal_names();
-  bool is_home = false;
-  for (const fs::path& part : rest) {
-    shown /= is_home || names.contains(part.string()) ? fs::path("…") : part;
-    is_home = part == "home" || part == "Users";
-  }
-  return shown.string();
-}
+std::string without_names(const fs::path& path) { return shown_path(path, variable("HOME"), personal_names()); }
 
 std::string system_name() {
   std::string name = value_in("/etc/os-release", "PRETTY_NAME");
@@ -115,20 +100,18 @@ ProcessorShare processor_share() {
   share.present = std::max(1, static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN)));
   cpu_set_t allowed;
   share.usable = ::sched_getaffinity(0, sizeof(allowed), &allowed) == 0 ? CPU_COUNT(&allowed) : share.present;
-  double quota = 0.0, period = 0.0;
-  if (std::ifstream limit("/sys/fs/cgroup/cpu.max"); limit >> quota >> period && period > 0.0)
-    share.of_group = quota / period;
+  share.of_group = limits_of_group().processors;
   return share;
 }
 
 MemoryFacts memory_facts() {
   return {.total = kilobytes_of("MemTotal"),
           .available = kilobytes_of("MemAvailable"),
-          .of_group = leading_number(value_in("/sys/fs/cgroup/memory.max", "")),
+          .of_group = limits_of_group().memory_bytes,
           .of_process = limit_of(RLIMIT_AS)};
 }
 
-std::optional<std::uint64_t> most_open_files() { return limit_of(RLIMIT_NOFILE); }
+Limit most_open_files() { return limit_of(RLIMIT_NOFILE); }
 
 std::optional<std::uint64_t> free_bytes_at(const fs::path& folder) {
   std::error_code none;

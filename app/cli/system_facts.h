@@ -1,4 +1,4 @@
-// What of this machine a report of a fault needs, and nothing that tells whose it is.
+// What of this machine a report of a fault needs.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/group_limits.h"
+
 namespace remount::cli {
 
-/// The path with ~ for the home folder, and … for what is named as the user, the host or a home of somebody else.
+/// As shown_path shows it, for this user and host.
 std::string without_names(const std::filesystem::path& path);
 
 /// As PRETTY_NAME of os-release, the kernel and the C library tell; empty where they do not.
@@ -19,21 +21,22 @@ std::string processor_name();
 /// Of the instruction sets that matter to arithmetic, those that the processor has.
 std::vector<std::string> instruction_sets();
 
-/// Processors that this process may run on, and those that its control group may use up; nothing: as many as it likes.
+/// Processors that this process may run on, and those whose time its control group may use; nothing: no limit is known.
 struct ProcessorShare {
   int usable = 1, present = 1;
   std::optional<double> of_group;
 };
 ProcessorShare processor_share();
 
-/// Bytes; nothing where it is not known, or not limited.
+/// Bytes; nothing where it is not known.
 struct MemoryFacts {
-  std::optional<std::uint64_t> total, available, of_group, of_process;
+  std::optional<std::uint64_t> total, available;
+  Limit of_group, of_process;
 };
 MemoryFacts memory_facts();
 
-/// Files that may be open at once; nothing: as many as one likes.
-std::optional<std::uint64_t> most_open_files();
+/// Files that may be open at once.
+Limit most_open_files();
 
 /// Free bytes for this user where the folder lies, or would lie once it is made.
 std::optional<std::uint64_t> free_bytes_at(const std::filesystem::path& folder);

@@ -1,18 +1,29 @@
 #!/usr/bin/env python3
-"""Every link, picture, style and script of the site leads to a file of it, and to a place that is there; nothing is
-loaded from elsewhere. Usage: packaging/site/check_links.py FOLDER"""
+"""Every link, picture, style and script of the site leads to a file of it, and to a place that is there; no page and no
+style loads anything from elsewhere. What scripts load as they run is not looked at.
+Usage: packaging/site/check_links.py FOLDER"""
 import os
+import re
 import sys
 from html.parser import HTMLParser
 from urllib.parse import unquote, urlsplit
 
-LOADED = {("link", "href"), ("script", "src"), ("img", "src")}
+LOADED = {("link", "href"), ("script", "src"), ("img", "src"), ("source", "src"), ("audio", "src"), ("video", "src"),
+          ("video", "poster"), ("track", "src"), ("iframe", "src"), ("embed", "src"), ("object", "data"),
+          ("image", "href"), ("image", "xlink:href"), ("use", "href"), ("use", "xlink:href"), ("input", "src")}
+STYLE_LOADS = re.compile(r"""url\(\s*(?:"([^"]*)"|'([^']*)'|([^)"']*?))\s*\)|@import\s+(?:"([^"]*)"|'([^']*)')""")
+
+
+def loads_of_style(text):
+    """What a style names as url(…) and by @import."""
+    text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+    return {next(filter(None, found)) for found in STYLE_LOADS.findall(text) if any(found)}
 
 
 class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
-        self.links, self.loads, self.places = set(), set(), set()
+        self.links, self.loads, self.places, self.in_style = set(), set(), set(), False
         with open(path, encoding="utf-8") as file:
             self.feed(file.read())
 
@@ -24,14 +35,38 @@ class Page(HTMLParser):
             self.links.add(values["href"])
         if values.get("rel") not in ("prev", "next", "canonical"):
             self.loads |= {values[name] for of, name in LOADED if of == tag and values.get(name)}
+        for candidates in (values.get("srcset"), values.get("imagesrcset")):
+            # A comma inside of an address is followed by no blank.
+            self.loads |= {one.split()[0] for one in re.split(r",\s+|,$", candidates or "") if one.strip()}
+        self.loads |= loads_of_style(values.get("style") or "")
+        self.in_style = tag == "style"
+
+    def handle_endtag(self, tag):
+        self.in_style = self.in_style and tag != "style"
+
+    def handle_data(self, data):
+        if self.in_style:
+            self.loads |= loads_of_style(data)
+
+
+class Style:
+    """A file of CSS, in the form of a page."""
+
+    def __init__(self, path):
+        with open(path, encoding="utf-8") as file:
+            self.links, self.loads, self.places = set(), loads_of_style(file.read()), set()
+
+
+def files_ending(folder, ending):
+    return [os.path.join(at, name) for at, _, names in os.walk(folder) for name in names if name.endswith(ending)]
 
 
 def main():
     folder = os.path.abspath(sys.argv[1])
-    paths = [os.path.join(at, name) for at, _, names in os.walk(folder) for name in names if name.endswith(".html")]
-    pages = {path: Page(path) for path in paths}
+    pages = {path: Page(path) for path in files_ending(folder, ".html")}
+    styles = {path: Style(path) for path in files_ending(folder, ".css")}
     checked, faults = 0, []
-    for path, page in pages.items():
+    for path, page in [*pages.items(), *styles.items()]:
         for link in sorted(page.links | page.loads):
             parts = urlsplit(link)
             if parts.scheme or parts.netloc:
@@ -51,8 +86,8 @@ def main():
     for path, fault in faults:
         print(f"{os.path.relpath(path, folder)}: {fault}", file=sys.stderr)
     if faults or not pages:
-        raise SystemExit(f"{len(faults)} links of {len(pages)} pages lead nowhere")
-    print(f"{checked} links of {len(pages)} pages lead somewhere")
+        raise SystemExit(f"{len(faults)} links of {len(pages)} pages and {len(styles)} styles lead nowhere")
+    print(f"{checked} links of {len(pages)} pages and {len(styles)} styles lead somewhere")
 
 
 if __name__ == "__main__":

@@ -15,8 +15,8 @@ import sys
 from sources import ROOT, errors_with_advice, finding_codes, read, read_messages
 
 LANGUAGES = ["en", "zh_CN"]
-DOCUMENTS = ["*.md", "LICENSE", "docs/**/*.md", "docs/**/*.svg", "docs/**/*.png", "resources/formats/*.md",
-             "resources/messages/README.md", "resources/screenshots/*.png"]
+DOCUMENTS = ["*.md", "LICENSE", "CITATION.cff", "docs/**/*.md", "docs/**/*.svg", "docs/**/*.png",
+             "resources/formats/*.md", "resources/messages/README.md", "resources/screenshots/*.png"]
 ASSETS = ["packaging/site/site.css", "packaging/site/equations.js"]
 KATEX = "/usr/share/javascript/katex"
 MADE_BY_HAND = "docs/zh_CN/"  # whole pages in Chinese, in folders like those of docs/

@@ -7,8 +7,8 @@ trap 'rm -rf "$room"' EXIT
 fail() { echo "$*" >&2; exit 1; }
 
 "$cmake" --install "$build" --component cli --prefix "$room/usr" > "$room/log" || { cat "$room/log"; fail "not installed"; }
-told=$("$room/usr/bin/remount-cli" doctor)
-grep -q "^sample drive: .*/usr/share/remount/sample$" <<< "$told" || fail "doctor does not find the sample: $told"
+told=$(HOME=$(realpath "$room") "$room/usr/bin/remount-cli" doctor)
+grep -qx "sample drive: ~/usr/share/remount/sample" <<< "$told" || fail "doctor does not find the sample: $told"
 scans=$(find "$room/usr/share/remount/sample/scans" -name "*.pcd" | wc -l)
 [ "$scans" -gt 10 ] || fail "the sample has $scans scans"
 "$room/usr/bin/remount-cli" inspect "$room/usr/share/remount/sample" > "$room/inspected" || fail "$(cat "$room/inspected")"

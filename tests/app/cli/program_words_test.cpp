@@ -44,7 +44,8 @@ class cli_program_words : public ProgramFixture<cli_program_words> {
   static std::string completed(const std::string& words) {
     const std::string script = path("words.sh");
     std::ofstream(script) << ". '" << path("completion") << "'\nCOMP_WORDS=(" << words
-                          << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_remount_cli\necho \"${COMPREPLY[*]}\"\n";
+                          << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\ncompopt() { echo \"options: $*\"; }\n"
+                          << "_remount_cli\necho \"${COMPREPLY[*]}\"\n";
     const std::string command = "bash '" + script + "' > '" + path("completed.txt") + "' 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << text_of(path("completed.txt"));
     return text_of(path("completed.txt"));
@@ -95,6 +96,53 @@ TEST_F(cli_program_words, bash_completes_verbs_options_and_what_they_take) {
   EXPECT_EQ(completed("remount-cli report --language zh"), "zh_CN\n");
   EXPECT_EQ(completed("remount-cli calibrate --config x"), "\n") << "left to the names of files";
   EXPECT_EQ(completed("remount-cli calibrate x"), "\n");
+  EXPECT_EQ(completed("remount-cli calibrate drive -j x"), "options: +o default +o bashdefault\n\n") << "a number";
+  EXPECT_EQ(completed("remount-cli doctor --he"), "--help\n") << "once";
+}
+
+TEST_F(cli_program_words, zsh_offers_files_where_files_are_wanted) {
+  const std::string zsh = run("--completion zsh").out;
+  EXPECT_NE(zsh.find("  '*-j["), std::string::npos);
+  for (const auto& [line, wanted] : {std::pair{"\n      '*-j[", ":N: '"},
+                                     {"\n      '*--log[", ":FILE:_files'"},
+                                     {"\n      '*--nominal[", ":SIX|FILE:_files'"},
+                                     {"\n      '*--settled[", ":SECONDS: '"}}) {
+    const std::size_t begin = zsh.find(line);
+    ASSERT_NE(begin, std::string::npos) << line;
+    const std::string found = zsh.substr(begin + 1, zsh.find('\n', begin + 1) - begin - 1);
+    EXPECT_NE(found.find(wanted), std::string::npos) << found;
+  }
+  // Each apostrophe of a meaning leaves the quotes and comes back: what quotes remain stand in pairs.
+  EXPECT_NE(zsh.find("'\\''"), std::string::npos);
+  std::size_t begin = 0, lines = 0;
+  for (std::size_t end = 0; (end = zsh.find('\n', begin)) != std::string::npos; begin = end + 1, ++lines) {
+    const std::string line = std::regex_replace(zsh.substr(begin, end - begin), std::regex(R"(\\')"), "");
+    EXPECT_EQ(std::count(line.begin(), line.end(), '\'') % 2, 0) << line;
+  }
+  std::printf("%zu lines\n", lines);
+  EXPECT_EQ(matches(zsh, "\n      '[*](--help)\\[").size(), 1U);
+  const std::size_t first = zsh.find("'*--help[");
+  EXPECT_EQ(zsh.find("'*--help[", first + 1), std::string::npos) << "--help is of all verbs, and said once";
+}
+
+TEST_F(cli_program_words, values_are_named_without_words_of_the_parser) {
+  for (const char* words : {"--man-page", "--man-page --language zh_CN", "--completion zsh", "--help",
+                            "calibrate --help", "batch --help"}) {
+    const std::string text = run(words).out;
+    EXPECT_FALSE(text.empty()) << words;
+    for (const char* type : {"INT in", "FLOAT in", "UINT in"}) EXPECT_EQ(text.find(type), std::string::npos) << words;
+  }
+  EXPECT_NE(run("--man-page").out.find("\\fIN\\fR\nThreads, at most 1024"), std::string::npos);
+}
+
+TEST_F(cli_program_words, the_name_of_the_page_ends_without_a_full_stop) {
+  for (const char* language : {"en", "zh_CN"}) {
+    const std::string page = run(std::string("--man-page --language ") + language).out;
+    const std::size_t begin = page.find("\nremount\\-cli \\- ");
+    ASSERT_NE(begin, std::string::npos) << language;
+    const std::string name = page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1);
+    EXPECT_FALSE(name.ends_with(".") || name.ends_with("。")) << name;
+  }
 }
 
 TEST_F(cli_program_words, a_shell_that_is_unknown_is_wrong_usage) {
