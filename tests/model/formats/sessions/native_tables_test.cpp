@@ -177,7 +177,7 @@ TEST_F(native_tables, dates_in_columns_of_their_own_and_microseconds) {
   for (const char* wrong :
        {"unit: s, scale: unix, month: 7", "unit: ms, scale: unix, year: 1, month: 2, day: 3, hour: 4, minute: 5",
         "unit: s, scale: gps-week, year: 1, month: 2, day: 3, hour: 4, minute: 5"})
-    EXPECT_TRUE(contains(message(ins("", wrong)), "stand together")) << wrong;
+    EXPECT_TRUE(contains(message(ins("", wrong)), "expected 'year'")) << wrong;
   EXPECT_TRUE(
       contains(message(ins("", "unit: s, scale: unix, microseconds: 7, milliseconds: 7")), "one of them at most"));
 }
