@@ -166,8 +166,9 @@ TEST_F(cli, a_wrong_verb_is_answered_with_the_right_ones) {
   for (const std::string& arguments : std::vector<std::string>{"calibrat " + path("drive"), "-q calibrat", ""}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 1);
-    for (const char* said : {arguments.empty() ? "no verb is given" : "there is no verb \"calibrat\"",
-                             "the verbs are inspect, describe, calibrate, solve, export, ", ", simulate, settings."})
+    for (const char* said :
+         {arguments.empty() ? "no verb is given" : "there is no verb \"calibrat\"",
+          "the verbs are inspect, describe, calibrate, solve, export, ", ", simulate, settings, doctor."})
       EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
   }
 }
