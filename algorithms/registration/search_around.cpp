@@ -23,7 +23,7 @@ bool same_place(const RigidTransform& first, const RigidTransform& second) {
 }
 
 struct Place {
-  RigidTransform target_from_source;
+  RigidTransform target_from_source = RigidTransform::Identity();
   double agreement;
 };
 

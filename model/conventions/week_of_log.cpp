@@ -12,8 +12,6 @@
 namespace remount::conventions {
 namespace {
 
-constexpr std::int64_t kEarliestDate_ns = std::int64_t{631'152'000} * 1'000'000'000;  // 1990
-
 template <class Place>
 void move_ins(drive::Session& session, Place&& place) {
   for (motion::InsSample& sample : session.ins) sample.stamp_ns = place(sample.stamp_ns);
@@ -26,7 +24,7 @@ void tell_week(drive::Session& session, Message words) {
 }
 
 /// Seconds of the week that are no dates either.
-bool has_dates(const TimeSpan& other) { return middle_ns(other) >= kEarliestDate_ns; }
+bool has_dates(const TimeSpan& other) { return middle_ns(other) >= formats::kFirstRecording_ns; }
 
 }  // namespace
 

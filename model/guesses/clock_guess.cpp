@@ -13,7 +13,6 @@ namespace remount::guesses {
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-constexpr std::int64_t kFirstClockDate_ns = std::int64_t{631'152'000} * kSecond_ns;  // 1990
 
 /// From the first sample to the last, gaps included.
 std::size_t count_within_span(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) {
@@ -36,7 +35,7 @@ std::int64_t leap_seconds_ns(const conventions::TimeSpan& ins) {
 /// Whether as many scans lie within where they are moved by the usual difference, either way.
 bool covers_leap_seconds(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns, std::size_t inside) {
   constexpr std::int64_t kToday_ns = std::int64_t{1'483'228'800} * kSecond_ns;  // since 2017
-  const bool dated = ins.span.first_ns > kFirstClockDate_ns;
+  const bool dated = ins.span.first_ns > formats::kFirstRecording_ns;
   if (!dated && !ins.week_open) return false;
   const std::int64_t leap_ns = leap_seconds_ns(dated ? ins.span : conventions::TimeSpan{kToday_ns, kToday_ns});
   return count_within(ins, stamps_ns, leap_ns) >= inside && count_within(ins, stamps_ns, -leap_ns) >= inside;
@@ -73,7 +72,7 @@ std::optional<std::int64_t> digits_of_day_ns(std::int64_t written_ns) {
 /// What a clock that shows no date is likely to count, beside scans that have one; empty where nothing is known.
 Message clock_without_date(const conventions::TimeSpan& scans, const conventions::TimeSpan& ins) {
   constexpr std::int64_t kNearZero_ns = 10 * kSecond_ns, kTogether_ns = 60 * kSecond_ns;
-  const bool scans_alone = scans.first_ns > kFirstClockDate_ns && ins.last_ns < kFirstClockDate_ns;
+  const bool scans_alone = scans.first_ns > formats::kFirstRecording_ns && ins.last_ns < formats::kFirstRecording_ns;
   const auto first_ns = digits_of_day_ns(ins.first_ns), last_ns = digits_of_day_ns(ins.last_ns);
   if (scans_alone && first_ns && last_ns && ins.first_ns > kNearZero_ns) {
     const std::int64_t of_day_ns = scans.first_ns % formats::kUtcDay_ns;
@@ -92,7 +91,7 @@ std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& scans, const
   both_ways(formats::kGpsEpoch_ns - leap_ns, say::guess_offset_epoch());
   both_ways(formats::kGpsEpoch_ns, say::guess_offset_epoch());
   both_ways(1024 * formats::kGpsWeek_ns, say::guess_offset_rollover());
-  if (scans.first_ns > kFirstClockDate_ns && ins.first_ns >= 0 && ins.last_ns < 2 * formats::kUtcDay_ns)
+  if (scans.first_ns > formats::kFirstRecording_ns && ins.first_ns >= 0 && ins.last_ns < 2 * formats::kUtcDay_ns)
     offsets.push_back({scans.first_ns - scans.first_ns % formats::kUtcDay_ns, say::guess_offset_of_day()});
   for (std::int64_t half_hours = 1; half_hours <= 28; ++half_hours)
     both_ways(half_hours * 1800 * kSecond_ns, say::guess_offset_zone());

@@ -30,10 +30,9 @@ struct NameOffset {
 
 /// What numbers may count from, beside a motion that has dates, or has none.
 std::vector<NameOffset> offsets_of_names(const InsGuess& ins) {
-  constexpr std::int64_t kFirstDate_ns = std::int64_t{631'152'000} * 1'000'000'000;  // 1990
   std::vector<NameOffset> offsets{
       {0, ins.week_open ? say::guess_names_count_the_week() : say::guess_names_count_as_ins()}};
-  if (ins.week_open || ins.span.first_ns < kFirstDate_ns) return offsets;
+  if (ins.week_open || ins.span.first_ns < formats::kFirstRecording_ns) return offsets;
   const std::int64_t middle_ns = ins.span.first_ns + (ins.span.last_ns - ins.span.first_ns) / 2;
   const std::int64_t week = formats::gps_ns_from_unix_ns(middle_ns) / formats::kGpsWeek_ns;
   offsets.push_back({formats::unix_ns_from_gps_ns(week * formats::kGpsWeek_ns), say::guess_names_count_week(week)});

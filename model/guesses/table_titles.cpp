@@ -6,6 +6,7 @@
 
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/old_encodings.h"
+#include "model/formats/files/printable_text.h"
 #include "model/guesses/column_names.h"
 
 namespace remount::guesses {

@@ -122,7 +122,7 @@ class Forecast {
   const calibration::PairwiseDetails& details_;
   const calibration::CalibrationResult& result_;
   const Progress& progress_;
-  RigidTransform x_;
+  RigidTransform x_ = RigidTransform::Identity();
   Vector6d of_pairs_, common_, now_, all_;
   double accepted_share_ = 1.0;
 };

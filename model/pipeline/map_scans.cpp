@@ -14,7 +14,7 @@ namespace {
 
 struct Stop {
   motion::Keyframe keyframe;
-  RigidTransform local_from_ins;
+  RigidTransform local_from_ins = RigidTransform::Identity();
 };
 
 std::vector<Stop> stops_of(const DriveMotion& motion, const std::vector<motion::Keyframe>& keyframes,

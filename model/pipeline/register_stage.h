@@ -23,7 +23,7 @@ struct StageContext {
   const DriveMotion& motion;
   const settings::Settings& settings;
   const std::vector<motion::Keyframe>& keyframes;
-  RigidTransform ins_from_lidar;  ///< initial X: nominal or coarse
+  RigidTransform ins_from_lidar = RigidTransform::Identity();  ///< initial X: nominal or coarse
   int threads = 0;
   const SharedField* field = nullptr;  ///< of the sessions; nothing: all of it is common to any two scans
 };

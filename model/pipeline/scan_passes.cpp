@@ -275,7 +275,7 @@ class ScanCalibration {
   int passes_left_;
   std::size_t told_pairs_ = 0;
   std::vector<motion::PairIndex> to_match_, to_register_;
-  RigidTransform x_;
+  RigidTransform x_ = RigidTransform::Identity();
   std::vector<KeyframeObjects> objects_;
 };
 

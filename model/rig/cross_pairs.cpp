@@ -32,7 +32,7 @@ struct Anchor {
   motion::KeyframeIndex keyframe;
   motion::SessionIndex recording;
   std::int64_t stamp_ns;
-  RigidTransform local_from_ins;
+  RigidTransform local_from_ins = RigidTransform::Identity();
 };
 
 // Of the keyframes that stood their test within the LiDAR, some that are spread evenly over the drives.

@@ -39,7 +39,7 @@ class Scene {
   Ground ground_;
   World world_;
   Traffic traffic_;
-  RigidTransform enu_from_road_;
+  RigidTransform enu_from_road_ = RigidTransform::Identity();
 };
 
 /// Number of scans in the drive; scan k is taken in scan_phase_s + [k, k + 1] / scan_rate_hz. Where the LiDAR spins it

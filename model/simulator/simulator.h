@@ -29,8 +29,8 @@ struct SensorTruth {
 
 /// A simulated drive. The session's scans are ray-cast when they are loaded, so a long drive needs no memory.
 struct SimulatedDrive {
-  drive::Session session;         ///< as a reader would deliver it; declares its INS noise
-  RigidTransform ins_from_lidar;  ///< the truth
+  drive::Session session;                                      ///< as a reader would deliver it; declares its INS noise
+  RigidTransform ins_from_lidar = RigidTransform::Identity();  ///< the truth
   SensorTruth sensors;
   std::vector<motion::StampedPose> enu_from_ins;  ///< true poses at the scans' stamps, on the INS clock
 };

@@ -24,9 +24,9 @@ class Surroundings {
 
  private:
   const Scene& scene_;
-  RigidTransform ins_from_lidar_;
+  RigidTransform ins_from_lidar_ = RigidTransform::Identity();
   double farthest_m_;
-  RigidTransform road_from_lidar_;
+  RigidTransform road_from_lidar_ = RigidTransform::Identity();
   Eigen::Vector3d beams_begin_in_lidar_ = Eigen::Vector3d::Zero();
   std::vector<BoxCaster> cars_;
   std::vector<TiltedBox> arm_;

@@ -29,6 +29,20 @@ TEST_F(import_page, is_offered_where_nothing_is_known) {
   EXPECT_FALSE(offer.isVisible()) << "it was about another message";
 }
 
+TEST_F(import_page, is_offered_for_a_log_of_the_ins_that_is_opened_alone) {
+  auto& banner = child<MessageBanner>();
+  window_.open_paths({folder_.filePath("ins.log")});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner.isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(button(banner, "Import a table…").isVisible());
+}
+
+TEST_F(import_page, is_not_offered_for_a_capture_that_is_opened_alone) {
+  auto& banner = child<MessageBanner>();
+  window_.open_paths({folder_.filePath("lidar.pcap")});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner.isVisible(); }, kPatience_ms));
+  EXPECT_EQ(offers_in(banner, "Import a table…"), 0);
+}
+
 TEST_F(import_page, presets_what_was_guessed_and_says_why) {
   open_page();
   photograph(*page(), "71-import");

@@ -15,7 +15,7 @@ namespace {
 // that what the first X shows of it falls short.
 struct Rescaled {
   double lidar_per_ins = 1.0;
-  RigidTransform ins_from_lidar;
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
 };
 Rescaled solve_with_scale(const JointProblem& problem, std::vector<motion::Pair> pairs, const PairwiseDetails& details,
                           double lidar_per_ins, const Progress& progress) {

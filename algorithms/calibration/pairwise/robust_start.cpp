@@ -62,7 +62,7 @@ RigidTransform settle_rotation(const RigidTransform& x, const search::QuadraticF
 
 // An X and how it does: its cost counts `allowance` times.
 struct Trial {
-  RigidTransform ins_from_lidar;
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
   std::vector<double> d2;
   double allowance = 1.0;
 };

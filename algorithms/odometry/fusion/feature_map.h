@@ -53,7 +53,7 @@ class FeatureMap {
 
  private:
   struct Frame {
-    RigidTransform odometry_from_vehicle;
+    RigidTransform odometry_from_vehicle = RigidTransform::Identity();
     ScanFeatures features;
   };
   class Tree;

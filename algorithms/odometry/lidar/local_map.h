@@ -29,7 +29,7 @@ class LocalMap {
 
  private:
   struct MapKeyframe {
-    RigidTransform odometry_from_lidar;
+    RigidTransform odometry_from_lidar = RigidTransform::Identity();
     std::vector<Eigen::Vector3f> points;  ///< LiDAR frame of the keyframe
   };
   registration::RegistrationOptions options_;

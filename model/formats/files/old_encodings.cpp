@@ -20,28 +20,6 @@ std::string without_other_bytes(std::string_view text) {
 
 }  // namespace
 
-bool is_utf8(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto first = static_cast<unsigned char>(text[at]);
-    const std::size_t bytes = first < 0x80   ? 1
-                              : first < 0xc2 ? 0
-                              : first < 0xe0 ? 2
-                              : first < 0xf0 ? 3
-                              : first < 0xf5 ? 4
-                                             : 0;
-    if (bytes == 0 || at + bytes > text.size()) return false;
-    for (std::size_t i = 1; i < bytes; ++i)
-      if ((static_cast<unsigned char>(text[at + i]) & 0xc0U) != 0x80U) return false;
-    // Shorter forms, halves of pairs and what lies beyond Unicode.
-    const auto second = bytes > 1 ? static_cast<unsigned char>(text[at + 1]) : 0U;
-    if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) || (first == 0xf0 && second < 0x90) ||
-        (first == 0xf4 && second > 0x8f))
-      return false;
-    at += bytes;
-  }
-  return true;
-}
-
 std::string decoded(std::string_view text, const char* encoding) {
   const iconv_t opened = iconv_open("UTF-8", encoding);
   // A small machine may lack the table of an encoding.

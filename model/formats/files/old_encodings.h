@@ -13,8 +13,6 @@ struct OldEncoding {
 /// Of Chinese, and of western Europe: the likelier first. Bytes do not always tell which of them a text has.
 inline constexpr OldEncoding kOldEncodings[] = {{"GB18030", true}, {"WINDOWS-1252", false}};
 
-bool is_utf8(std::string_view text);
-
 /// The text as UTF-8. What is none in that encoding becomes "?".
 std::string decoded(std::string_view text, const char* encoding);
 

@@ -43,6 +43,15 @@ std::string escaped(std::uint32_t code) {
 
 }  // namespace
 
+bool is_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t bytes = character_at(text, at).bytes;
+    if (bytes == 0) return false;
+    at += bytes;
+  }
+  return true;
+}
+
 std::string printable(std::string_view text, LineBreaks line_breaks) {
   std::string shown;
   shown.reserve(text.size());

@@ -11,6 +11,9 @@ enum class LineBreaks {
   Escaped,  ///< of names, which must not look like a line of ours
 };
 
+/// Whether all of it is UTF-8.
+bool is_utf8(std::string_view text);
+
 /// What would steer a terminal, or turn the direction of the text around it, as an escape that shows it: "\x1b" for a
 /// control character or a byte that is no UTF-8, "\u202e" for one of Unicode's. All else stays, whatever its script.
 std::string printable(std::string_view text, LineBreaks line_breaks = LineBreaks::Kept);

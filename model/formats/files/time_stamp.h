@@ -19,6 +19,9 @@ std::optional<std::int64_t> parse_date_ns(std::string_view text);
 /// Year, month, day, hour, minute and second, and nanoseconds; nothing where there is no such time.
 std::optional<std::int64_t> date_of_parts_ns(const std::array<int, 6>& parts, std::int64_t fraction_ns);
 
+/// No LiDAR recorded before 1990: times below count from something else than 1970.
+inline constexpr std::int64_t kFirstRecording_ns = std::int64_t{631'152'000} * 1'000'000'000;
+
 /// A date and time that stand in the name of a file, with whatever words before and behind them:
 /// "lidar_2023-11-14T22-13-20.050Z", "20231114_221320_050", "20231114221320050". Of digits alone the year is from 1990
 /// to 2099, and three or six of them behind the seconds are their fraction. Nothing where other numbers follow.

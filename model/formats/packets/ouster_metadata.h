@@ -26,8 +26,9 @@ struct OusterMetadata {
   std::vector<double> elevations_rad;               ///< of each pixel of a column
   std::vector<double> azimuths_rad;                 ///< likewise, beside the encoder's: clockwise
   double beams_ahead_m = 0.0, beams_above_m = 0.0;  ///< where beams begin, from the middle of the turning head
-  RigidTransform sensor_from_lidar;                 ///< the sensor's housing, and the turning head at encoder 0
-  bool clock_follows = false;  ///< it is set to follow PTP, or pulses with the receiver's sentences
+  RigidTransform sensor_from_lidar =
+      RigidTransform::Identity();  ///< the sensor's housing, and the turning head at encoder 0
+  bool clock_follows = false;      ///< it is set to follow PTP, or pulses with the receiver's sentences
 };
 
 /// Nothing where the text is no metadata of an Ouster. Flat, as firmware up to 2 and its clients wrote it, or in

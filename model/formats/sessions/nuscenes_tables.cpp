@@ -156,7 +156,7 @@ class LidarTables {
 
   struct Calibrated {
     std::size_t channel;
-    RigidTransform ego_from_lidar;
+    RigidTransform ego_from_lidar = RigidTransform::Identity();
   };
   Progress& progress_;
   NuscenesTables read_;

@@ -21,7 +21,7 @@ struct NuscenesSweep {
   std::filesystem::path file;  ///< relative to the folder of the data set
   std::string ego_pose;        ///< token
   std::size_t channel = 0;     ///< of NuscenesTables::channels
-  RigidTransform ego_from_lidar;
+  RigidTransform ego_from_lidar = RigidTransform::Identity();
 };
 
 struct NuscenesScene {

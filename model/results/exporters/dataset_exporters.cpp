@@ -21,11 +21,10 @@ namespace {
 std::string calibration_time(const ResultFile& result) {
   constexpr std::array<const char*, 12> kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                                 "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-  constexpr std::int64_t kEarliest_ns = 631152000LL * 1000000000LL;  // 1990: no lidar recorded before
   std::int64_t last_ns = 0;
   for (const PairRecord& pair : result.pairs)
     if (pair.state == motion::PairState::Accepted) last_ns = std::max(last_ns, pair.stamp_b_ns);
-  if (last_ns < kEarliest_ns) return "unknown";
+  if (last_ns < formats::kFirstRecording_ns) return "unknown";
   const std::string utc = formats::format_date_ns(last_ns);
   const std::size_t month = static_cast<std::size_t>(std::stoi(utc.substr(5, 2))) - 1;
   return utc.substr(8, 2) + "-" + kMonths.at(month) + "-" + utc.substr(0, 4) + utc.substr(10, 9);

@@ -40,7 +40,7 @@ std::vector<double> quaternion_of(const ResultFile& result) {
 
 struct StaticTransform {
   std::string parent, child;
-  RigidTransform parent_from_child;
+  RigidTransform parent_from_child = RigidTransform::Identity();
 };
 
 /// Of each transform the one that places its parent; nothing where no other does, or the file names no parent.

@@ -33,7 +33,7 @@ ParameterSet observed_in(const RelativeRecord& two) {
 }
 
 struct Relative {
-  RigidTransform lidar_a_from_lidar_b;
+  RigidTransform lidar_a_from_lidar_b = RigidTransform::Identity();
   ParameterSet observed;
 };
 

@@ -292,18 +292,8 @@ void add_texts(Recipes& list) {
   list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx(6)}, lidar})});
 }
 
-void add_tables(Recipes& list) {
-  list.push_back({"described", "table", undeclared_table()});
-  list.push_back({"described", "parts", table_of_parts(false)});
-  list.push_back({"native", "declared-time-in-parts", table_of_parts(true)});
-  list.push_back({"native", "declared", declared_table(false)});
-  list.push_back({"native", "declared-poses", declared_table(true)});
-}
-
-void add_captures(Recipes& list) {
-  for (Sample& sample : captured_samples())
-    list.push_back({std::move(sample.reader), std::move(sample.name), std::move(sample.bytes)});
-  for (Sample& sample : recorded_samples())
+void add_made(std::vector<Sample> samples, Recipes& list) {
+  for (Sample& sample : samples)
     list.push_back({std::move(sample.reader), std::move(sample.name), std::move(sample.bytes)});
 }
 
@@ -368,8 +358,9 @@ std::vector<Recipe>& recipes() {
     add_drives(list);
     add_bags(list);
     add_texts(list);
-    add_tables(list);
-    add_captures(list);
+    add_made(table_samples(), list);
+    add_made(captured_samples(), list);
+    add_made(recorded_samples(), list);
     add_scans(list);
     add_documents(list);
     return list;

@@ -5,7 +5,10 @@
 #include "tests/fuzz/readers.h"
 #include "tests/model/formats/sample_files.h"
 
-namespace remount::formats::samples {
+namespace remount::formats {
+
+using namespace samples;
+
 namespace {
 
 /// A table with commas of decimals, and scans with a table of their times.
@@ -23,10 +26,9 @@ std::vector<PackedFile> undeclared_files() {
   return files;
 }
 
-}  // namespace
-
 std::string undeclared_table() { return pack_files(undeclared_files()); }
 
+/// The same with its manifest. @param metric positions are metres
 std::string declared_table(bool metric) {
   const std::string position = metric ? "    position: {east: 4, north: 5, down: 3}\n"
                                       : "    latitude: {index: 1, unit: deg}\n    longitude: {index: 2, unit: deg}\n"
@@ -44,6 +46,8 @@ std::string declared_table(bool metric) {
   return pack_files(files);
 }
 
+/// Times in columns of year to second, rows without a value, and scans with dates in their names.
+/// @param declared with its manifest
 std::string table_of_parts(bool declared) {
   std::string table = "year,month,day,hour,minute,second,Microseconds,lat,lon,alt,heading,pitch,roll\n";
   for (int i = 0; i < 60; ++i)
@@ -66,4 +70,14 @@ std::string table_of_parts(bool declared) {
   return pack_files(files);
 }
 
-}  // namespace remount::formats::samples
+}  // namespace
+
+std::vector<Sample> table_samples() {
+  return {{"described", "table", undeclared_table()},
+          {"described", "parts", table_of_parts(false)},
+          {"native", "declared-time-in-parts", table_of_parts(true)},
+          {"native", "declared", declared_table(false)},
+          {"native", "declared-poses", declared_table(true)}};
+}
+
+}  // namespace remount::formats

@@ -1,18 +1,13 @@
-// Tables that no format is known of, and the scans beside them.
+// Tables that no format is known of, with and without a manifest, and the scans beside them.
 #pragma once
 
-#include <string>
+#include <vector>
 
-namespace remount::formats::samples {
+#include "tests/model/formats/sample_inputs.h"
 
-/// Commas of decimals, and scans with a table of their times: a pack of files without a manifest.
-std::string undeclared_table();
+namespace remount::formats {
 
-/// The same with its manifest. @param metric positions are metres
-std::string declared_table(bool metric);
+/// For those who describe tables, and the readers of manifests.
+std::vector<Sample> table_samples();
 
-/// Times in columns of year to second, rows without a value, and scans with dates in their names.
-/// @param declared with its manifest
-std::string table_of_parts(bool declared);
-
-}  // namespace remount::formats::samples
+}  // namespace remount::formats

@@ -144,7 +144,9 @@ TEST(table_round_trip, smartloc_drives) {
     std::vector<motion::ImuSample> rates;
     std::string input, truth;
     for (const InsLine& line : written) {
-      rates.push_back({line.stamp_ns, {random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)}, {}});
+      rates.push_back({line.stamp_ns,
+                       {random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)},
+                       Eigen::Vector3d::Zero()});
       const Eigen::Vector3d& rate = rates.back().angular_rate_radps;
       double x = 0.0, y = 0.0, z = 0.0;
       earth.Forward(line.at.latitude_deg, line.at.longitude_deg, line.height_m, x, y, z);

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -48,10 +49,24 @@ inline void write_import_data(const QString& folder, int late_s = 0) {
   }
 }
 
+/// A log of the INS (.log) or a capture, opened without the other.
+inline drive::Session alone(const std::filesystem::path& path) {
+  drive::Session session = sample_session("alone");
+  session.path = path;
+  if (path.extension() == ".log")
+    session.scans.reset();
+  else
+    session.ins.clear();
+  session.findings.push_back(
+      {drive::Severity::Problem, "one-stream", path.string(), Message::verbatim("It is half a session.")});
+  return session;
+}
+
 /// Folders of tables are no session, and manifests are one.
 inline gui::Engine engine_of_manifests(std::shared_ptr<const std::atomic<int>> hold_at) {
   gui::Engine engine = sample_engine(10, std::move(hold_at));
   engine.open = [](const std::filesystem::path& path, const drive::TopicChoice&, Progress&) {
+    if (path.extension() == ".log" || path.extension() == ".pcap") return alone(path);
     if (path.extension() != ".yaml") throw Error(ErrorCode::Unsupported, path.string(), say::session_unknown({}));
     drive::Session session = sample_session("imported");
     session.path = path;
@@ -88,6 +103,11 @@ class ImportPage : public WindowFixture {
     for (QPushButton* one : parent.findChildren<QPushButton*>())
       if (one->text().remove('&') == text) return *one;
     throw std::logic_error("no button " + text.toStdString());
+  }
+  static int offers_in(QWidget& parent, const QString& text) {
+    const auto buttons = parent.findChildren<QPushButton*>();
+    return static_cast<int>(std::ranges::count_if(
+        buttons, [&](QPushButton* one) { return one->isVisible() && one->text().remove('&') == text; }));
   }
   QString manifest() const { return folder_.filePath("session.yaml"); }
   std::string text_of(const QString& path) {

@@ -68,7 +68,7 @@ TEST(dead_reckoning, where_the_gyroscope_is_silent_the_wheels_tell_the_turn) {
   std::vector<motion::ImuSample> imu;
   std::vector<motion::WheelSample> wheels;
   for (int i = 0; i <= 400; ++i)
-    if (i < 100 || i > 300) imu.push_back({at(0.01 * i), rate + bias, {}});
+    if (i < 100 || i > 300) imu.push_back({at(0.01 * i), rate + bias, Eigen::Vector3d::Zero()});
   for (int i = 0; i <= 200; ++i) wheels.push_back({at(0.02 * i), 5.0 - 0.24, 5.0 + 0.24});
   const DeadReckoning reckoning(imu, wheels, RigidTransform::Identity(), 1.6);
   const auto across = reckoning.path(at(0.5), at(3.5), at(0.5), {bias, 1.0});
