@@ -58,7 +58,8 @@ std::vector<registration::PointBlock> blocks_of(const std::vector<Eigen::Vector3
   return blocks;
 }
 
-float distance_m(const registration::MatchBlock& match, std::size_t lane) {
+/// Positive before a plane: normals look to the LiDAR.
+float signed_distance_m(const registration::MatchBlock& match, std::size_t lane) {
   if (match.index[lane] < 0) return kNothing;
   const registration::PointBlock& target = match.target;
   const Eigen::Vector3f apart(match.at_x[lane] - target.x[lane], match.at_y[lane] - target.y[lane],
@@ -66,7 +67,7 @@ float distance_m(const registration::MatchBlock& match, std::size_t lane) {
   const float nearest_m = apart.norm();
   if (nearest_m > SurfaceDistance::kReach_m) return kNothing;
   if (target.planarity[lane] < kPlane) return nearest_m;
-  return std::abs(apart.dot(Eigen::Vector3f(target.nx[lane], target.ny[lane], target.nz[lane])));
+  return apart.dot(Eigen::Vector3f(target.nx[lane], target.ny[lane], target.nz[lane]));
 }
 
 }  // namespace
@@ -80,6 +81,14 @@ SurfaceDistance& SurfaceDistance::operator=(SurfaceDistance&&) noexcept = defaul
 
 std::vector<float> SurfaceDistance::of(const std::vector<Eigen::Vector3f>& points_in_source,
                                        const RigidTransform& target_from_source, const Progress& progress) const {
+  std::vector<float> distances_m = signed_of(points_in_source, target_from_source, progress);
+  for (float& distance : distances_m) distance = std::abs(distance);
+  return distances_m;
+}
+
+std::vector<float> SurfaceDistance::signed_of(const std::vector<Eigen::Vector3f>& points_in_source,
+                                              const RigidTransform& target_from_source,
+                                              const Progress& progress) const {
   std::vector<float> distances_m(points_in_source.size(), kNothing);
   if (target_->size() == 0) return distances_m;
   const std::vector<std::size_t> order = in_spatial_order(points_in_source);
@@ -88,13 +97,14 @@ std::vector<float> SurfaceDistance::of(const std::vector<Eigen::Vector3f>& point
   matcher.update(target_from_source, 1, progress);
   if (progress.cancelled()) return {};
   for (std::size_t i = 0; i < order.size(); ++i)
-    distances_m[order[i]] = distance_m(matcher.matches()[i / kBlock], i % kBlock);
+    distances_m[order[i]] = signed_distance_m(matcher.matches()[i / kBlock], i % kBlock);
   return distances_m;
 }
 
 float median_distance_m(std::vector<float> distances_m) {
   std::erase_if(distances_m, [](float distance) { return std::isnan(distance); });
   if (distances_m.empty()) return kNothing;
+  for (float& distance : distances_m) distance = std::abs(distance);
   return median_of(std::move(distances_m));
 }
 

@@ -31,12 +31,15 @@ class SurfaceDistance {
   /// NaN where the target has nothing within kReach_m, and for points that are not finite. Empty where cancelled.
   std::vector<float> of(const std::vector<Eigen::Vector3f>& points_in_source, const RigidTransform& target_from_source,
                         const Progress& progress = {}) const;
+  /// The same with a side: negative behind a plane of the target, as the target's LiDAR sees it.
+  std::vector<float> signed_of(const std::vector<Eigen::Vector3f>& points_in_source,
+                               const RigidTransform& target_from_source, const Progress& progress = {}) const;
 
  private:
   std::unique_ptr<const registration::PreparedCloud> target_;
 };
 
-/// Median of the distances that are not NaN; NaN where all are.
+/// Median of the distances that are not NaN, without their sides; NaN where all are.
 float median_distance_m(std::vector<float> distances_m);
 
 }  // namespace remount::quality
