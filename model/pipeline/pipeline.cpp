@@ -271,25 +271,4 @@ void check_map(const PipelineInput& input, PipelineOutput& output, Progress& pro
   report_mended_beams(thickness_of_beams(context, input, output, progress), output);
 }
 
-PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, motion::PairIndex pair_index) {
-  const motion::Pair& pair = output.pairs.at(pair_index);
-  const motion::Keyframe& a = output.keyframes[pair.keyframe_a];
-  const motion::Keyframe& b = output.keyframes[pair.keyframe_b];
-  PairClouds clouds;
-  if (!input.sessions.at(a.session)->scans) return clouds;
-  const DriveMotion motion = motion_as_solved(input, output);
-  const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
-  ScanStore scans(motion, input.settings.registration, 0);
-  compensate_as_solved(input, output, scans);
-  clouds.cloud_a = scans.load(a);
-  clouds.cloud_b = scans.load(b);
-  clouds.objects_a = cloud::find_objects(clouds.cloud_a, up_in_lidar(context, a), input.settings.objects);
-  clouds.objects_b = cloud::find_objects(clouds.cloud_b, up_in_lidar(context, b), input.settings.objects);
-  clouds.matches =
-      cloud::match_objects(clouds.objects_a, clouds.objects_b,
-                           calibration::predicted_lidar_motion(pair.ins_b_from_ins_a, output.initial_ins_from_lidar),
-                           input.settings.objects);
-  return clouds;
-}
-
 }  // namespace remount::pipeline

@@ -133,14 +133,6 @@ bool solve_at_once(const PipelineInput& input, PipelineOutput& output, const Pro
 /// Reads up to 32 scans. Does nothing where there is no usable result or the settings switch it off.
 void check_map(const PipelineInput& input, PipelineOutput& output, Progress& progress);
 
-/// Clouds of one pair for the 3-D view, deskewed as for registration, each in its own lidar frame, with objects.
-struct PairClouds {
-  cloud::PointCloud cloud_a, cloud_b;
-  std::vector<cloud::SceneObject> objects_a, objects_b;
-  std::vector<cloud::ObjectMatch> matches;
-};
-PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, motion::PairIndex pair);
-
 /// The scan of one keyframe in its lidar frame, deskewed as for registration. Empty where the session has LiDAR poses
 /// and no scans, or where cancelled; throws Error where it cannot be read.
 cloud::PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output,

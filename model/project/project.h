@@ -9,6 +9,7 @@
 
 #include "model/pipeline/pipeline.h"
 #include "model/pipeline/verdicts.h"
+#include "model/project/pair_note.h"
 #include "model/results/result_file.h"
 #include "model/results/vehicle_file.h"
 
@@ -38,6 +39,7 @@ struct Project {
   settings::Settings settings;
   std::optional<RigidTransform> nominal_ins_from_lidar;
   std::vector<pipeline::PairVerdict> verdicts;
+  std::vector<PairNote> notes;  ///< of all LiDARs
   std::optional<pipeline::PipelineOutput>
       output;                     ///< the last calibration, enough to review and solve again without scans
   bool solution_pending = false;  ///< `output` holds decisions that its result does not answer in full: solve again

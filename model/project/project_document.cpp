@@ -149,6 +149,21 @@ void describe(formats::RecordOf<PairVerdict> auto& verdict, auto& fields) {
 
 }  // namespace remount::pipeline
 
+namespace remount::project {
+
+void describe(formats::RecordOf<PairNote> auto& note, auto& fields) {
+  fields.on_one_line();
+  fields("session", note.session);
+  fields("lidar", note.lidar);
+  fields("stamp_a_ns", note.stamp_a_ns);
+  fields("stamp_b_ns", note.stamp_b_ns);
+  fields("seen", note.seen);
+  fields("flagged", note.flagged);
+  fields("comment", note.comment);
+}
+
+}  // namespace remount::project
+
 namespace remount::calibration {
 
 void describe(formats::RecordOf<ObservedGround> auto& ground, auto& fields) {
@@ -277,6 +292,7 @@ auto project_fields(const std::filesystem::path& folder) {
     fields.only_written("format", formats::DocumentNode::string(kFormat));
     fields.only_written("version", formats::DocumentNode::string(kVersion));
     describe_job(project, fields, folder);
+    fields.where(!project.notes.empty(), "notes", project.notes);
     fields.where(!project.other_lidars.empty(), "other_lidars", project.other_lidars, other_lidars_in(folder));
     fields.optional("together", project.together, kTogether);
   }};

@@ -283,12 +283,10 @@ pipeline::PairClouds load_cross_clouds(const LidarJob& job_a, const pipeline::Pi
     const pipeline::DriveMotion motion = pipeline::motion_as_solved(job.input, output);
     pipeline::ScanStore scans(motion, job.input.settings.registration, 0);
     pipeline::compensate_as_solved(job.input, output, scans);
-    return scans.load(output.keyframes.at(keyframe));
+    return std::make_shared<const pipeline::KeyframeScan>(
+        pipeline::KeyframeScan{scans.load(output.keyframes.at(keyframe)), {}});
   };
-  pipeline::PairClouds clouds;
-  clouds.cloud_a = load(job_a, output_a, pair.keyframe_a);
-  clouds.cloud_b = load(job_b, output_b, pair.keyframe_b);
-  return clouds;
+  return {load(job_a, output_a, pair.keyframe_a), load(job_b, output_b, pair.keyframe_b), {}};
 }
 
 }  // namespace remount::rig

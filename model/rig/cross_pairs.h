@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/calibration/rig/rig.h"
+#include "model/pipeline/pair_clouds.h"
 #include "model/pipeline/scan_store.h"
 #include "model/rig/lidar_field.h"
 #include "model/rig/rig_calibration.h"

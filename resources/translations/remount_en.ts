@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>remount::gui::PairsFeature</name>
+    <message numerus="yes">
+        <source>%n pairs a second</source>
+        <translation>
+            <numerusform>%n pair a second</numerusform>
+            <numerusform>%n pairs a second</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>remount::gui::ProjectFeature</name>
     <message numerus="yes">
         <source>%n decision(s) about pairs</source>

@@ -102,6 +102,49 @@
     </message>
 </context>
 <context>
+    <name>remount::gui::ContactSheetFeature</name>
+    <message>
+        <source>All pairs</source>
+        <translation>所有帧对</translation>
+    </message>
+    <message>
+        <source>&amp;All pairs</source>
+        <translation>所有帧对(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>From above: %1, scan a by its distance to scan b: %2, %3, %4. Below: the best wall, cut, ± %5 mm</source>
+        <translation>上部俯视：%1，扫描 a 按到扫描 b 的距离：%2、%3、%4。下部：最清楚的墙的剖面，± %5 mm</translation>
+    </message>
+    <message>
+        <source>scan b</source>
+        <translation>扫描 b</translation>
+    </message>
+    <message>
+        <source>%1 mm behind</source>
+        <translation>后方 %1 mm</translation>
+    </message>
+    <message>
+        <source>on it</source>
+        <translation>在表面上</translation>
+    </message>
+    <message>
+        <source>%1 mm before</source>
+        <translation>前方 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>wall %1 mm</source>
+        <translation>墙 %1 mm</translation>
+    </message>
+</context>
+<context>
     <name>remount::gui::Decisions</name>
     <message>
         <source>accept pair %1</source>
@@ -336,6 +379,26 @@
     <message>
         <source>&amp;Isometric</source>
         <translation>轴测(&amp;I)</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>全屏(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Everything</source>
+        <translation>全部面板(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Re&amp;view of pairs</source>
+        <translation>帧对审查(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
     </message>
 </context>
 <context>
@@ -583,6 +646,10 @@
         <source>%1, of the LiDAR %2</source>
         <translation>%1，激光雷达 %2</translation>
     </message>
+    <message>
+        <source>Show or hide the &amp;ground</source>
+        <translation>显示或隐藏地面(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::PairsFeature</name>
@@ -637,6 +704,48 @@
     <message>
         <source>You have decided every pair that is shown.</source>
         <translation>显示的帧对您都已作出决定。</translation>
+    </message>
+    <message>
+        <source>&amp;Flag pair</source>
+        <translation>标记帧对(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Comment on pair…</source>
+        <translation>给帧对写备注(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Go on to the next pair after a decision</source>
+        <translation>决定后转到下一个帧对(&amp;G)</translation>
+    </message>
+    <message>
+        <source>P&amp;lay pairs</source>
+        <translation>连续播放帧对(&amp;L)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs a second</source>
+        <translation>
+            <numerusform>每秒 %n 个帧对</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shows pairs one after the other (L); the arrow sets how fast</source>
+        <translation>逐个显示帧对（L）；箭头处设置速度</translation>
+    </message>
+    <message>
+        <source>Play pairs</source>
+        <translation>连续播放帧对</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Comment on pair %1:</source>
+        <translation>帧对 %1 的备注：</translation>
+    </message>
+    <message>
+        <source>Comment on %1 pairs:</source>
+        <translation>%1 个帧对的备注：</translation>
     </message>
 </context>
 <context>
@@ -1108,6 +1217,37 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>candidate %1</source>
         <translation>候选 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::SectionFeature</name>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation>配准后</translation>
+    </message>
+    <message>
+        <source>With result</source>
+        <translation>按结果</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>剖面</translation>
+    </message>
+    <message>
+        <source>Select a pair to see a section through its two scans.</source>
+        <translation>选择一个帧对，查看穿过其两次扫描的剖面。</translation>
+    </message>
+    <message>
+        <source>The pair comes from LiDAR poses: there are no scans.</source>
+        <translation>该帧对来自激光雷达位姿：没有扫描。</translation>
+    </message>
+    <message>
+        <source>Both scans together show no such surface clearly enough.</source>
+        <translation>两次扫描都没有足够清楚地看到这样的表面。</translation>
     </message>
 </context>
 <context>
@@ -2172,6 +2312,29 @@ The result appears when all of it is done. Esc stops.</source>
     </message>
 </context>
 <context>
+    <name>remount::widgets::ContactSheet</name>
+    <message>
+        <source>Pictures of all pairs</source>
+        <translation>所有帧对的小图</translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation>配准后</translation>
+    </message>
+    <message>
+        <source>With result</source>
+        <translation>按结果</translation>
+    </message>
+    <message>
+        <source>Alignment in the pictures</source>
+        <translation>小图中的对齐方式</translation>
+    </message>
+    <message>
+        <source>As the scans were aligned with each other, or as INS and the present result put them</source>
+        <translation>按两次扫描的配准，或按 INS 与当前结果放置</translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::ConventionForm</name>
     <message>
         <source>Time</source>
@@ -2389,6 +2552,10 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>median %1</source>
         <translation>中位数 %1</translation>
+    </message>
+    <message>
+        <source>Behind and before scan b: ±</source>
+        <translation>扫描 b 的后方与前方：±</translation>
     </message>
 </context>
 <context>
@@ -3717,6 +3884,14 @@ not observed</source>
         <source>How much INS and LiDAR motion differ in turn and advance, whatever the mounting (screw test); in sigma</source>
         <translation>无论怎样安装，INS 与激光雷达的运动在转角和前进量上相差多少（螺旋检验）；以 sigma 计</translation>
     </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Your flag and your comment</source>
+        <translation>您的标记和备注</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::PairView</name>
@@ -3793,30 +3968,6 @@ not observed</source>
         <translation>两次扫描共有物体的方框，用线相连；运动物体为红色并打叉</translation>
     </message>
     <message>
-        <source>Scan a:</source>
-        <translation>扫描 a：</translation>
-    </message>
-    <message>
-        <source>Orange</source>
-        <translation>橙色</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>蓝色</translation>
-    </message>
-    <message>
-        <source>By distance</source>
-        <translation>按距离</translation>
-    </message>
-    <message>
-        <source>Colour of scan a</source>
-        <translation>扫描 a 的颜色</translation>
-    </message>
-    <message>
-        <source>One colour, or the distance of each point to the surfaces of scan b, in m</source>
-        <translation>单一颜色，或每个点到扫描 b 表面的距离（米）</translation>
-    </message>
-    <message>
         <source>With %1</source>
         <translation>按 %1</translation>
     </message>
@@ -3863,6 +4014,74 @@ not observed</source>
     <message>
         <source>b</source>
         <translation>b</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Shows the points of the ground (G)</source>
+        <translation>显示地面点（G）</translation>
+    </message>
+    <message>
+        <source>Colour:</source>
+        <translation>颜色：</translation>
+    </message>
+    <message>
+        <source>Scan a orange</source>
+        <translation>扫描 a 橙色</translation>
+    </message>
+    <message>
+        <source>Scan a blue</source>
+        <translation>扫描 a 蓝色</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Distance, with side</source>
+        <translation>距离（分前后）</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>线号</translation>
+    </message>
+    <message>
+        <source>Time in the scan</source>
+        <translation>扫描内时间</translation>
+    </message>
+    <message>
+        <source>Colour of the points</source>
+        <translation>点的颜色</translation>
+    </message>
+    <message>
+        <source>Scan a in one colour, or by the distance of each point to the surfaces of scan b; or both scans by what was measured of each point</source>
+        <translation>扫描 a 用一种颜色，或按每个点到扫描 b 表面的距离着色；或两次扫描都按每个点的测量值着色</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>These scans have no such values.</source>
+        <translation>这些扫描没有这样的数值。</translation>
+    </message>
+    <message>
+        <source>Section through this point</source>
+        <translation>穿过该点的剖面</translation>
     </message>
 </context>
 <context>
@@ -3928,10 +4147,6 @@ not observed</source>
         <translation>编号或文字</translation>
     </message>
     <message>
-        <source>Shows pairs of this number, or with this text in state, session or reason</source>
-        <translation>显示此编号的帧对，或状态、数据、理由中含有此文字的帧对</translation>
-    </message>
-    <message>
         <source>Show pairs that contain this text</source>
         <translation>显示含有此文字的帧对</translation>
     </message>
@@ -3972,6 +4187,46 @@ not observed</source>
         <translation>
             <numerusform>%n 个帧对</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Not looked at</source>
+        <translation>尚未看过</translation>
+    </message>
+    <message>
+        <source>Flagged or commented</source>
+        <translation>有标记或备注</translation>
+    </message>
+    <message>
+        <source>Shows pairs of this number, or with this text in state, session, reason or comment</source>
+        <translation>显示该编号的帧对，或在状态、行程、原因或备注中含有该文字的帧对</translation>
+    </message>
+    <message>
+        <source>Sort again</source>
+        <translation>重新排序</translation>
+    </message>
+    <message>
+        <source>Pairs stay where they were while you decide about them. This puts them where they belong now.</source>
+        <translation>作决定时帧对留在原处。按此把它们放到现在应在的位置。</translation>
+    </message>
+    <message>
+        <source>%1 looked at</source>
+        <translation>已看 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs were looked at; the numbers of the others are bold</source>
+        <translation>%2 个帧对中已看过 %1 个；其余的编号为粗体</translation>
+    </message>
+    <message>
+        <source>none of %1 pairs matches</source>
+        <translation>%1 个帧对中没有符合的</translation>
+    </message>
+    <message>
+        <source>✓ Accept %1</source>
+        <translation>✓ 接受 %1 个</translation>
+    </message>
+    <message>
+        <source>✕ Reject %1</source>
+        <translation>✕ 拒绝 %1 个</translation>
     </message>
 </context>
 <context>
@@ -4466,6 +4721,25 @@ not observed</source>
     </message>
 </context>
 <context>
+    <name>remount::widgets::ScaleBar</name>
+    <message>
+        <source>Scale</source>
+        <translation>比例尺</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 in the middle</source>
+        <translation>中心处 %1</translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::SceneView</name>
     <message>
         <source>Picked point</source>
@@ -4520,6 +4794,130 @@ Everything else works.</source>
     <message>
         <source>Distance %1 (x %2, y %3, z %4 m in %5). Esc ends measuring.</source>
         <translation>距离 %1（在%5中 x %2，y %3，z %4 m）。Esc 结束测量。</translation>
+    </message>
+    <message>
+        <source>Turn about this point</source>
+        <translation>绕该点旋转</translation>
+    </message>
+    <message>
+        <source>Parallel, without perspective</source>
+        <translation>平行投影（无透视）</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制图片</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存图片…</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>view.png</source>
+        <translation>view.png</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>无法写入图片：%1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::SectionPanel</name>
+    <message>
+        <source>Wall</source>
+        <translation>墙</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Pole</source>
+        <translation>杆</translation>
+    </message>
+    <message>
+        <source>Surface that is cut</source>
+        <translation>剖切的表面</translation>
+    </message>
+    <message>
+        <source>Walls show sideways errors and yaw, the ground height, roll and pitch, poles both level axes</source>
+        <translation>墙显示侧向误差和偏航角，地面显示高度、横滚和俯仰，杆显示两个水平方向</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>下一处</translation>
+    </message>
+    <message>
+        <source>The next of the surfaces that both scans see well</source>
+        <translation>两次扫描都看得清楚的下一个表面</translation>
+    </message>
+    <message>
+        <source>Select a pair to see a section through its two scans.</source>
+        <translation>选择一个帧对，查看穿过其两次扫描的剖面。</translation>
+    </message>
+    <message>
+        <source>place %1 of %2, %3 m from the LiDAR</source>
+        <translation>第 %1 处，共 %2 处，距激光雷达 %3 m</translation>
+    </message>
+    <message>
+        <source>chosen place, %1 m from the LiDAR</source>
+        <translation>所选位置，距激光雷达 %1 m</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::SectionPlot</name>
+    <message>
+        <source>too few points</source>
+        <translation>点太少</translation>
+    </message>
+    <message>
+        <source>axes %1 mm apart; radius %2 mm together (a %3, b %4)</source>
+        <translation>轴线相距 %1 mm；合在一起半径 %2 mm（a %3，b %4）</translation>
+    </message>
+    <message>
+        <source>%1 mm thick together (a %2, b %3), %4</source>
+        <translation>合在一起厚 %1 mm（a %2，b %3），%4</translation>
+    </message>
+    <message>
+        <source>a on b</source>
+        <translation>a 与 b 重合</translation>
+    </message>
+    <message>
+        <source>a %1 mm before b</source>
+        <translation>a 在 b 前方 %1 mm</translation>
+    </message>
+    <message>
+        <source>a %1 mm behind b</source>
+        <translation>a 在 b 后方 %1 mm</translation>
+    </message>
+    <message>
+        <source>Section through the pair</source>
+        <translation>穿过该帧对的剖面</translation>
+    </message>
+    <message>
+        <source>A slab through a surface that both scans see. The thinner it is, the better the scans lie on each other.
+Dragging to the side, Left and Right move it along the surface, Up and Down to the side of the slab.</source>
+        <translation>穿过两次扫描都看到的表面的薄片。越薄，两次扫描重合得越好。
+左右拖动或按左右键沿表面移动，上下键横向移动。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 m along the surface; across it in mm, seen from its side</source>
+        <translation>沿表面 %1 m；垂直方向以 mm 计，从侧面看</translation>
+    </message>
+    <message>
+        <source>%1 mm, a %2 mm</source>
+        <translation>%1 mm，a %2 mm</translation>
     </message>
 </context>
 <context>
@@ -4930,6 +5328,13 @@ Everything else works.</source>
     <message>
         <source>Of several LiDARs choose the one that is shown first: the panel “LiDARs” calibrates all of them together.</source>
         <translation>有多台激光雷达时，请选择先显示的一台：“激光雷达”面板可将它们全部联合标定。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::ValueLegend</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>

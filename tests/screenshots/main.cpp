@@ -31,7 +31,7 @@ class Photographer {
     window.show();
     if (!QTest::qWaitForWindowExposed(&window, kPatience_ms)) return false;
     save(window, "1-start");
-    QSignalSpy loaded(&workbench_.selection(), &gui::Selection::clouds_loaded);
+    QSignalSpy loaded(&workbench_.pair_scenes(), &gui::PairScenes::ready);
     window.feature<gui::ProjectFeature>()->open_sample();
     if (!settled() || workbench_.sessions().all().empty()) return false;
     workbench_.calibrations().calibrate();

@@ -124,10 +124,10 @@ class Tour {
     pair.set_side_by_side(true);
     save(window(), "side-by-side");
     pair.set_side_by_side(false);
-    pair.set_coloring(scene::SourceColoring::Distance);
+    pair.set_coloring(scene::PairColoring::Distance);
     QTest::qWait(1500);
     save(window(), "by-distance");
-    pair.set_coloring(scene::SourceColoring::Orange);
+    pair.set_coloring(scene::PairColoring::Orange);
     trigger("Ctrl+M");
     auto& map = *window().findChild<widgets::MapView*>("map");
     (void)QTest::qWaitFor([&] { return map.shows_scene() && map.rests(); }, kPatience_ms / 10);

@@ -206,6 +206,8 @@ inline project::Project full_job(const std::filesystem::path& folder) {
 
 inline project::Project full_project(const std::filesystem::path& folder) {
   project::Project project = full_job(folder);
+  project.notes = {{motion::SessionIndex(1), "/points", 100, 200, true, true, "the lorry's shadow"},
+                   {motion::SessionIndex(0), "", -1, 2, true, false, ""}};
   project.other_lidars.push_back({"rear", false, full_job(folder)});
   project.together = full_vehicle_file();
   return project;

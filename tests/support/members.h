@@ -86,7 +86,8 @@ REMOUNT_MEMBERS(pipeline::CalibrationOutcome, method, result, clock_is_unknown, 
 REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, beam_nodes,
                 mended_beams, known_beams, nominal_known, initial_known)
 REMOUNT_MEMBERS(project::CalibrationBasis, session_count, settings, nominal_ins_from_lidar)
-REMOUNT_MEMBERS(project::Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, output,
+REMOUNT_MEMBERS(project::PairNote, session, lidar, stamp_a_ns, stamp_b_ns, seen, flagged, comment)
+REMOUNT_MEMBERS(project::Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, notes, output,
                 solution_pending, confirmed, exported, basis, inputs, other_lidars, together)
 REMOUNT_MEMBERS(project::OtherLidar, name, ticked, job)
 #undef REMOUNT_MEMBERS

@@ -296,8 +296,10 @@ TEST_F(kept_work, what_was_only_copied_is_not_exported_yet) {
 
 TEST_F(kept_work, distances_of_obstacles_are_measured_beside_the_window_for_what_was_typed_last) {
   calibrate_drive();
-  const auto clouds = std::make_shared<const pipeline::PairClouds>(testing::sample_engine().load_pair_clouds(
-      workbench_.outcome().input(), *workbench_.outcome().output(), motion::PairIndex{5}));
+  const auto clouds = std::make_shared<const pipeline::PairClouds>(
+      testing::sample_engine()
+          .open_pairs(workbench_.outcome().input(), workbench_.outcome().output())
+          ->load(motion::PairIndex{5}, {}));
   ObstacleDialog dialog("a scan", true, {});
   auto& table = *dialog.findChild<QTableWidget*>();
   const RigidTransform mounting = rigid_from_six(testing::kTruth);

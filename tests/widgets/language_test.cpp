@@ -225,7 +225,7 @@ bool is_chinese_enough(QString text) {
   static const QRegularExpression kAllowed(QStringLiteral(
       "Remount|LiDAR|GNSS|INS|RMSE|Ctrl|Shift|Esc|F5|Space|Return|English|Language|HTML|PDF|OpenGL|Frobenius|sigma|"
       "ins_from_lidar|point_in_\\w+|Rz|Ry|Rx|yaw|pitch|roll|solve\\.\\w+|drive\\d|scan\\d+|pcd|native|session|auto|"
-      "PCL|min_\\w+|cache_mb|png|Alt|Del|Home|End|PgUp|PgDown|Tab|Qt|Rx|NaN|INS\\.csv|ins\\.csv"));
+      "PCL|min_\\w+|cache_mb|png|Alt|Del|Home|End|PgUp|PgDown|Tab|Qt|Rx|NaN|INS\\.csv|ins\\.csv|offscreen"));
   text.remove(kAllowed);
   static const QRegularExpression kEnglishWord(QStringLiteral("[A-Za-z]{4,}"));
   return !text.contains(kEnglishWord);

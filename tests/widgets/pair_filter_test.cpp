@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
@@ -116,7 +118,7 @@ TEST(pair_filter, finds_what_an_engineer_looks_for) {
   EXPECT_EQ(group(PairGroup::Undecided).size(), 49U);
 }
 
-TEST(pair_filter, is_sorted_by_what_pairs_say_now) {
+TEST(pair_filter, keeps_the_place_of_pairs_that_change_until_it_is_told_to_sort_again) {
   auto output = output_of(4);
   const auto say = [&](const std::vector<double>& residuals_m, const std::vector<const char*>& reasons) {
     auto changed = std::make_shared<pipeline::PipelineOutput>(*output);
@@ -138,6 +140,10 @@ TEST(pair_filter, is_sorted_by_what_pairs_say_now) {
     model.show_output(say({0.4, 0.3, 0.1, 0.2}, {"d", "c", "a", "b"}), {"drive1"});
     EXPECT_EQ(reset.count(), 0);
     EXPECT_EQ(changed.count(), 1);
+    EXPECT_EQ(filter.pairs(), places({0, 1, 2, 3})) << column << ": no row moves under the eye";
+    EXPECT_FALSE(filter.in_order());
+    filter.sort_again();
+    EXPECT_TRUE(filter.in_order());
     EXPECT_EQ(filter.pairs(), places({2, 3, 1, 0})) << column << ": other values of the same pairs";
     auto fewer = std::make_shared<pipeline::PipelineOutput>(*say({0.2, 0.1, 0.3, 0.4}, {"b", "a", "c", "d"}));
     fewer->pairs.pop_back();
@@ -157,7 +163,7 @@ TEST(pair_filter, sorted_by_reasons_it_outlives_the_output) {
   EXPECT_TRUE(filter.pairs().empty());
 }
 
-TEST(pair_filter, the_next_pair_is_found_from_the_place_of_one_that_was_filtered_away) {
+TEST(pair_filter, the_pair_that_is_looked_at_stays_until_it_is_left) {
   auto output = output_of(50);
   PairTableModel model;
   PairsPanel panel(model);
@@ -171,9 +177,76 @@ TEST(pair_filter, the_next_pair_is_found_from_the_place_of_one_that_was_filtered
   decided->pairs[12].state = motion::PairState::Rejected;
   decided->pairs[12].decided_by = motion::DecidedBy::User;
   model.show_output(decided, {"drive1"});
-  ASSERT_EQ(panel.filter()->row_of(motion::PairIndex{12}), -1);
+  const auto shown = [&](std::size_t pair) { return panel.filter()->row_of(motion::PairIndex{pair}) >= 0; };
+  EXPECT_TRUE(shown(12)) << "its state is another, and it is still looked at";
   EXPECT_EQ(panel.neighbour(1, false), next);
   EXPECT_EQ(panel.neighbour(-1, false), previous);
+  panel.show_selected(next);
+  EXPECT_FALSE(shown(12)) << "it was left";
+  PairCriteria rejected;
+  rejected.state = motion::PairState::Rejected;
+  panel.filter()->set_criteria(rejected);
+  EXPECT_TRUE(panel.filter()->row_of(next) >= 0) << "a filter that hides it keeps it until it is left";
+  EXPECT_EQ(panel.filter()->matching() + 1, panel.filter()->pairs().size());
+}
+
+TEST(pair_filter, decisions_meet_only_what_is_shown) {
+  PairTableModel model;
+  PairsPanel panel(model);
+  model.show_output(output_of(50), {"drive1"});
+  QObject::connect(&panel, &PairsPanel::pair_selected, &panel, &PairsPanel::show_selected);
+  panel.show();
+  panel.table()->selectRow(7);
+  EXPECT_EQ(panel.marked_pairs(), places({7}));
+  QTest::keyClick(panel.table(), Qt::Key_Home, Qt::ControlModifier);
+  EXPECT_EQ(panel.marked_pairs(), places({0})) << "no other row stays marked";
+  QTest::keyClick(panel.table(), Qt::Key_Down, Qt::ShiftModifier);
+  QTest::keyClick(panel.table(), Qt::Key_Down, Qt::ShiftModifier);
+  EXPECT_EQ(panel.marked_pairs(), places({0, 1, 2}));
+  EXPECT_TRUE(panel.findChild<QPushButton*>()->text().contains('3')) << "the button says how many it meets";
+  panel.show_selected(motion::PairIndex{30});
+  EXPECT_EQ(panel.marked_pairs(), places({30})) << "of a chart";
+}
+
+TEST(pair_filter, the_field_is_left_by_enter_and_by_escape) {
+  PairTableModel model;
+  PairsPanel panel(model);
+  model.show_output(output_of(50), {"drive1"});
+  panel.show();
+  panel.activateWindow();
+  auto& field = *panel.findChild<QLineEdit*>();
+  field.setFocus();
+  QTest::keyClicks(&field, "31");
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_EQ(panel.focusWidget(), panel.table());
+  EXPECT_EQ(field.text(), "31");
+  field.setFocus();
+  QTest::keyClick(&field, Qt::Key_Escape);
+  EXPECT_EQ(panel.focusWidget(), panel.table());
+  EXPECT_EQ(field.text(), QString());
+}
+
+TEST(pair_filter, finds_what_was_noted) {
+  PairTableModel model;
+  PairFilter filter;
+  filter.setSourceModel(&model);
+  model.show_output(output_of(50), {"drive1"});
+  auto marks = std::make_shared<std::vector<PairMark>>(50);
+  for (std::size_t pair = 0; pair < 47; ++pair) (*marks)[pair].seen = true;
+  (*marks)[4].flagged = true;
+  (*marks)[9].comment = "a lorry in the way";
+  model.show_marks(marks);
+  PairCriteria criteria;
+  criteria.group = PairGroup::NotSeen;
+  filter.set_criteria(criteria);
+  EXPECT_EQ(filter.pairs(), places({47, 48, 49}));
+  criteria.group = PairGroup::Noted;
+  filter.set_criteria(criteria);
+  EXPECT_EQ(filter.pairs(), places({4, 9}));
+  criteria = {};
+  criteria.text = "LORRY";
+  filter.set_criteria(criteria);
+  EXPECT_EQ(filter.pairs(), places({9}));
 }
 
 TEST(pair_filter, text_is_found_in_number_state_session_and_reason) {

@@ -36,15 +36,28 @@ cloud::PointCloud corridor(double shift_m) {
   return cloud;
 }
 
-std::shared_ptr<const pipeline::PairClouds> known_clouds() {
-  auto clouds = std::make_shared<pipeline::PairClouds>();
-  clouds->cloud_a = corridor(-1.0);
-  clouds->cloud_b = corridor(0.0);
+struct TwoScans {
+  pipeline::KeyframeScan a, b;
+  std::vector<cloud::ObjectMatch> matches;
+};
+
+TwoScans known_scans() {
+  TwoScans scans;
+  scans.a.cloud = corridor(-1.0);
+  scans.b.cloud = corridor(0.0);
   // Alone above everything, to be clicked on.
-  clouds->cloud_a.points.emplace_back(1.0F, 0.0F, 8.0F);
-  clouds->cloud_b.points.emplace_back(2.0F, 3.0F, 8.0F);
-  return clouds;
+  scans.a.cloud.points.emplace_back(1.0F, 0.0F, 8.0F);
+  scans.b.cloud.points.emplace_back(2.0F, 3.0F, 8.0F);
+  return scans;
 }
+
+std::shared_ptr<const pipeline::PairClouds> clouds_of(const TwoScans& scans) {
+  return std::make_shared<const pipeline::PairClouds>(
+      pipeline::PairClouds{std::make_shared<const pipeline::KeyframeScan>(scans.a),
+                           std::make_shared<const pipeline::KeyframeScan>(scans.b), scans.matches});
+}
+
+std::shared_ptr<const pipeline::PairClouds> known_clouds() { return clouds_of(known_scans()); }
 
 scene::PairTransforms known_transforms() {
   scene::PairTransforms transforms;
@@ -201,11 +214,11 @@ TEST_F(pair_view, the_legend_names_what_is_in_the_picture_in_its_colours) {
   };
   const auto names = [&](const scene::SceneColor& color) { return legend().contains(to_qt(color).name()); };
   const auto clouds_with = [](bool moving) {
-    auto clouds = std::make_shared<pipeline::PairClouds>(*known_clouds());
-    clouds->objects_a.resize(1);
-    clouds->objects_b.resize(1);
-    clouds->matches.push_back({0, 0, moving, 0.0});
-    return clouds;
+    TwoScans scans = known_scans();
+    scans.a.objects.resize(1);
+    scans.b.objects.resize(1);
+    scans.matches.push_back({0, 0, moving, 0.0});
+    return clouds_of(scans);
   };
   EXPECT_TRUE(names(scene::scan_colors(false).orange) && names(scene::scan_colors(false).target))
       << legend().toStdString();
@@ -222,7 +235,7 @@ TEST_F(pair_view, the_legend_names_what_is_in_the_picture_in_its_colours) {
 }
 
 TEST_F(pair_view, distance_colours_keep_their_scale_from_pair_to_pair) {
-  view_.findChild<QComboBox*>()->setCurrentIndex(static_cast<int>(scene::SourceColoring::Distance));
+  view_.findChild<QComboBox*>()->setCurrentIndex(static_cast<int>(scene::PairColoring::Distance));
   auto& legend = *view_.findChild<DistanceLegend*>();
   EXPECT_TRUE(legend.isVisible());
   EXPECT_EQ(requests_, 1);
@@ -242,21 +255,22 @@ TEST_F(pair_view, distance_colours_keep_their_scale_from_pair_to_pair) {
 
 TEST_F(pair_view, bad_coordinates_do_not_blank_the_view) {
   const QImage good = picture();
-  auto clouds = std::make_shared<pipeline::PairClouds>(*known_clouds());
+  TwoScans scans = known_scans();
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (cloud::PointCloud* cloud : {&clouds->cloud_a, &clouds->cloud_b}) {
+  for (cloud::PointCloud* cloud : {&scans.a.cloud, &scans.b.cloud}) {
     cloud->points.emplace_back(nan, 0.0F, 0.0F);
     cloud->points.emplace_back(1e30F, 1e30F, 1e30F);
     cloud->points.emplace_back(5e4F, 0.0F, 0.0F);
     cloud->points.emplace_back(std::numeric_limits<float>::infinity(), 0.0F, 0.0F);
   }
-  show(clouds);
+  show(clouds_of(scans));
   const int before = colorful(good), now = colorful(picture());
   EXPECT_GT(before, 1000);
   EXPECT_NEAR(now, before, 0.1 * before);
   for (const scene::StandardView view : {scene::StandardView::Front, scene::StandardView::Left,
                                          scene::StandardView::Isometric, scene::StandardView::Fit}) {
     view_.look(view);
+    view_.set_parallel(false);  // or walls that are seen along their length would be lines
     EXPECT_GT(colorful(picture()), 200);
   }
 }
@@ -302,7 +316,7 @@ TEST(pair_view_without_gl, says_what_is_missing_and_takes_everything) {
   view.set_measuring(true);
   view.click({10, 10});
   view.set_side_by_side(true);
-  view.set_coloring(scene::SourceColoring::Distance);
+  view.set_coloring(scene::PairColoring::Distance);
   view.show_message("later");
   EXPECT_FALSE(view.shows_scene());
   QString said;

@@ -66,8 +66,8 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     nominal.x_m += 0.1;
     nominal.yaw_rad += 0.02;
     workbench.setup().edit_nominal(rigid_from_six(nominal));
-    QSignalSpy loaded(&workbench.selection(), &gui::Selection::clouds_loaded),
-        failed(&workbench.selection(), &gui::Selection::clouds_failed);
+    QSignalSpy loaded(&workbench.pair_scenes(), &gui::PairScenes::ready),
+        failed(&workbench.pair_scenes(), &gui::PairScenes::failed);
     QElapsedTimer timer;
     timer.start();
     workbench.calibrations().calibrate();

@@ -61,8 +61,8 @@ TEST_F(vanished_data, before_they_are_needed_are_named_and_the_window_keeps_what
   ASSERT_TRUE(before);
   ASSERT_GT(before->pairs.size(), 1U);
   take_the_disk_out();
-  QSignalSpy failed(&workbench_.selection(), &gui::Selection::clouds_failed),
-      loaded(&workbench_.selection(), &gui::Selection::clouds_loaded);
+  QSignalSpy failed(&workbench_.pair_scenes(), &gui::PairScenes::failed),
+      loaded(&workbench_.pair_scenes(), &gui::PairScenes::ready);
   QTest::qWait(100);  // what was being read before
   failed.clear();
   workbench_.selection().select(motion::PairIndex(before->pairs.size() - 1));

@@ -296,19 +296,23 @@ TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   if (!missing_gl_reason().isEmpty())
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   show();
-  QSignalSpy loaded(&workbench_.selection(), &gui::Selection::clouds_loaded);
+  QSignalSpy loaded(&workbench_.pair_scenes(), &gui::PairScenes::ready);
   calibrate_drive();
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
   auto& view = child<PairView>();
   ASSERT_TRUE(view.has_gl());
   view.look(scene::StandardView::Top);
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.shows_scene(); }, kPatience_ms));
-  const QImage aligned = view.canvas()->grab().toImage();
+  const auto grab = [&] {
+    QTest::qWait(300);  // until all points are drawn
+    return view.canvas()->grab().toImage();
+  };
+  const QImage aligned = grab();
   view.flip();
-  const QImage before = view.canvas()->grab().toImage();
+  const QImage before = grab();
   EXPECT_NE(aligned, before) << "the mounting assumed before is 20 cm and 2 degrees off: this must be seen";
   view.flip();
-  EXPECT_EQ(aligned, view.canvas()->grab().toImage());
+  EXPECT_EQ(aligned, grab());
   view.look(scene::StandardView::Fit);
   photograph(window_, "3-pair");
   trigger("Ctrl+,");
@@ -337,7 +341,7 @@ TEST_F(window_flow, dark_palettes_are_followed) {
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   const testing::PaletteFor dark(testing::dark_palette());
   show();
-  QSignalSpy loaded(&workbench_.selection(), &gui::Selection::clouds_loaded);
+  QSignalSpy loaded(&workbench_.pair_scenes(), &gui::PairScenes::ready);
   calibrate_drive();
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
   EXPECT_TRUE(is_dark(window_.palette()));

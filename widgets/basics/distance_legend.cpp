@@ -9,11 +9,17 @@
 #include "widgets/basics/color_bar.h"
 #include "widgets/basics/swatch.h"
 #include "widgets/scene/distance_scale.h"
+#include "widgets/scene/signed_scale.h"
 
 namespace remount::widgets {
 
 DistanceLegend::DistanceLegend(QWidget* parent)
-    : QWidget(parent), limit_(new QDoubleSpinBox(this)), medians_(new QLabel(this)) {
+    : QWidget(parent),
+      limit_(new QDoubleSpinBox(this)),
+      medians_(new QLabel(this)),
+      from_(new QLabel(this)),
+      without_sides_(new ColorBar([](double share) { return to_qt(scene::DistanceScale::at(share)); }, this)),
+      with_sides_(new ColorBar([](double share) { return to_qt(scene::SignedScale::at(2.0 * share - 1.0)); }, this)) {
   limit_->setRange(scene::DistanceScale::kLeast_m, scene::DistanceScale::kMost_m);
   limit_->setDecimals(2);
   limit_->setSingleStep(0.05);
@@ -34,12 +40,20 @@ DistanceLegend::DistanceLegend(QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
-  row->addWidget(new QLabel(tr("Distance to scan b: 0"), this));
-  row->addWidget(new ColorBar([](double share) { return to_qt(scene::DistanceScale::at(share)); }, this), 1);
+  row->addWidget(from_);
+  row->addWidget(without_sides_, 1);
+  row->addWidget(with_sides_, 1);
   row->addWidget(limit_);
   row->addWidget(others);
   row->addSpacing(8);
   row->addWidget(medians_);
+  show_sides(false);
+}
+
+void DistanceLegend::show_sides(bool on) {
+  from_->setText(on ? tr("Behind and before scan b: ±") : tr("Distance to scan b: 0"));
+  without_sides_->setVisible(!on);
+  with_sides_->setVisible(on);
 }
 
 double DistanceLegend::limit_m() const { return limit_->value(); }

@@ -14,6 +14,7 @@ class DistanceLegend : public QWidget {
   explicit DistanceLegend(QWidget* parent = nullptr);
   double limit_m() const;
   void set_limit(double limit_m);
+  void show_sides(bool on);  ///< the scale runs from behind a surface to before it
   /// Medians of the pictures, m, from left to right; NaN: nothing near; empty: not known yet.
   void show_medians(const std::vector<float>& medians_m);
 
@@ -22,7 +23,8 @@ class DistanceLegend : public QWidget {
 
  private:
   QDoubleSpinBox* limit_;
-  QLabel* medians_;
+  QLabel *medians_, *from_;
+  QWidget *without_sides_, *with_sides_;
 };
 
 }  // namespace remount::widgets

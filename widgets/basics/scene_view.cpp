@@ -4,7 +4,10 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include <QApplication>
+#include <QClipboard>
 #include <QEvent>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -15,6 +18,7 @@
 #include <QToolButton>
 
 #include "widgets/basics/gl_support.h"
+#include "widgets/basics/scale_bar.h"
 #include "widgets/basics/theme.h"
 
 namespace remount::widgets {
@@ -31,6 +35,7 @@ SceneView::SceneView(const QString& accessible_name, QWidget* parent)
       message_(new QLabel(this)),
       readout_(new QLabel(this)),
       stack_(new QStackedLayout),
+      scale_(new ScaleBar(this)),
       rest_(new QTimer(this)),
       gl_reason_(missing_gl_reason()) {
   if (gl_reason_.isEmpty()) {
@@ -51,6 +56,7 @@ SceneView::SceneView(const QString& accessible_name, QWidget* parent)
   readout_->setAutoFillBackground(true);
   readout_->setMargin(5);
   readout_->hide();
+  scale_->hide();
   stack_->addWidget(message_);
   column_->setContentsMargins(6, 2, 6, 2);
   column_->setSpacing(2);
@@ -72,6 +78,7 @@ void SceneView::set_stage(scene::SceneStage& stage) {
     moving ? rest_->stop() : rest_->start();
     if (moving) motion_changed(true);
   });
+  stage.on_drawn([this] { scale_->show_scale(stage_->metres_per_pixel() * devicePixelRatioF(), stage_->parallel()); });
   if (canvas_) stage.attach(*canvas_->renderWindow());
   // What is pressed must be seen in every style; some dark ones hardly shade it.
   set_style(*rows_, [](const QPalette& palette) {
@@ -122,6 +129,7 @@ void SceneView::add_common_buttons(QHBoxLayout* row) {
 }
 
 void SceneView::set_view_actions(const QList<QAction*>& actions) {
+  view_actions_ = actions;
   auto* menu = new QMenu(views_);
   menu->addActions(actions);
   views_->setMenu(menu);
@@ -134,6 +142,7 @@ void SceneView::show_message(const QString& text) {
       gl_reason_.isEmpty() ? text : tr("The 3-D view is not available: %1.\nEverything else works.").arg(gl_reason_));
   stack_->setCurrentWidget(message_);
   rows_->setEnabled(false);  // there is nothing to turn or to flip
+  scale_->hide();
   clear_marks();
 }
 
@@ -143,6 +152,10 @@ void SceneView::show_scene() {
   if (!canvas_) return;
   rows_->setEnabled(true);
   stack_->setCurrentWidget(canvas_);
+  scale_->name_axes(axes_in_words());
+  place_scale();
+  scale_->show();
+  scale_->raise();
 }
 
 bool SceneView::shows_scene() const { return canvas_ && stack_->currentWidget() == canvas_; }
@@ -153,6 +166,22 @@ void SceneView::look(scene::StandardView view) {
   view_changed();
   render();
 }
+
+void SceneView::set_parallel(bool on) {
+  if (!stage_) return;
+  stage_->set_parallel(on);
+  view_changed();
+  render();
+}
+
+void SceneView::draw_quickly() {
+  motion_changed(true);
+  rest_->start();
+}
+
+bool SceneView::parallel() const { return stage_ && stage_->parallel(); }
+
+QImage SceneView::picture() const { return canvas_ ? canvas_->grabFramebuffer() : QImage(); }
 
 void SceneView::set_eye_dome(bool on) {
   if (!eye_dome_) return;
@@ -184,11 +213,15 @@ bool SceneView::measuring() const { return measure_ && measure_->isChecked(); }
 
 QString SceneView::readout() const { return readout_->text(); }
 
-void SceneView::click(const QPointF& place_in_canvas) {
-  if (!shows_scene()) return;
+std::optional<SceneView::Pick> SceneView::pick_at(const QPointF& place_in_canvas) const {
   const double ratio = devicePixelRatioF();
   const auto ray = stage_->ray_at(place_in_canvas.x() * ratio, (canvas_->height() - 1 - place_in_canvas.y()) * ratio);
-  const auto picked = ray ? pick(*ray) : std::nullopt;
+  return ray ? pick(*ray) : std::nullopt;
+}
+
+void SceneView::click(const QPointF& place_in_canvas) {
+  if (!shows_scene()) return;
+  const auto picked = pick_at(place_in_canvas);
   if (!picked) {
     if (!measuring()) clear_marks();
     say(tr("There is no point here."));
@@ -245,6 +278,40 @@ void SceneView::place_readout() {
   readout_->setGeometry(scene.left() + 6, scene.top() + 6, width, readout_->heightForWidth(width));
 }
 
+void SceneView::place_scale() {
+  if (!canvas_) return;
+  const QSize size = scale_->sizeHint();
+  scale_->setGeometry(QRect(canvas_->geometry().bottomRight() - QPoint(size.width() + 6, size.height() + 4), size));
+}
+
+void SceneView::show_menu(const QPoint& place_in_canvas) {
+  if (!shows_scene()) return;
+  const std::optional<Pick> picked = pick_at(place_in_canvas);
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (picked)
+    menu->addAction(tr("Turn about this point"), this, [this, point = picked->point_in_view] {
+      stage_->centre_on(point);
+      render();
+    });
+  fill_menu(*menu, picked);
+  if (!menu->isEmpty()) menu->addSeparator();
+  menu->addActions(view_actions_);
+  QAction* parallel_view = menu->addAction(tr("Parallel, without perspective"), this, &SceneView::set_parallel);
+  parallel_view->setCheckable(true);
+  parallel_view->setChecked(parallel());
+  menu->addSeparator();
+  menu->addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture()); });
+  menu->addAction(tr("Save picture…"), this, &SceneView::save_picture);
+  menu->popup(canvas_->mapToGlobal(place_in_canvas));
+}
+
+void SceneView::save_picture() {
+  const QImage shown = picture();
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), tr("view.png"), tr("Pictures (*.png)"));
+  if (!path.isEmpty() && !shown.save(path)) say(tr("The picture cannot be written: %1").arg(path));
+}
+
 QPointF SceneView::place_of(const Eigen::Vector3d& point_in_view) const {
   const Eigen::Vector2d pixel = stage_->pixel_of(point_in_view) / devicePixelRatioF();
   return {pixel.x(), canvas_->height() - 1 - pixel.y()};
@@ -260,14 +327,25 @@ bool SceneView::handle_canvas(QEvent* event) {
     case QEvent::MouseButtonPress: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
       pressed_ = mouse->button() == Qt::LeftButton && mouse->modifiers() == Qt::NoModifier;
+      pressed_right_ = mouse->button() == Qt::RightButton;
       pressed_at_ = mouse->pos();
       return false;
     }
     case QEvent::MouseButtonRelease: {
       const QPoint at = static_cast<QMouseEvent*>(event)->pos();
-      if (std::exchange(pressed_, false) && (at - pressed_at_).manhattanLength() < kClick_px) click(at);
+      const bool in_place = (at - pressed_at_).manhattanLength() < kClick_px;
+      if (std::exchange(pressed_, false) && in_place) click(at);
+      // After VTK has heard that the button is up again.
+      if (std::exchange(pressed_right_, false) && in_place) QTimer::singleShot(0, this, [this, at] { show_menu(at); });
       return false;
     }
+    case QEvent::MouseButtonDblClick:
+      if (const auto picked =
+              shows_scene() && !measuring() ? pick_at(static_cast<QMouseEvent*>(event)->position()) : std::nullopt) {
+        stage_->centre_on(picked->point_in_view);
+        render();
+      }
+      return true;
     case QEvent::ShortcutOverride:  // or the window's Esc, which cancels work, would take it
       if (is_escape() && !readout_->isHidden()) event->accept();
       return false;
@@ -280,6 +358,7 @@ bool SceneView::handle_canvas(QEvent* event) {
       return true;
     case QEvent::Resize:
       place_readout();
+      place_scale();
       size_changed();
       return false;
     default:

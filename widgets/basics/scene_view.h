@@ -1,6 +1,7 @@
 // What the 3-D views of the window have in common: canvas, buttons, message, picking and measuring.
 #pragma once
 
+#include <QImage>
 #include <QPoint>
 #include <QWidget>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "widgets/scene/scene_stage.h"
 
 class QHBoxLayout;
+class QMenu;
 class QLabel;
 class QTimer;
 class QStackedLayout;
@@ -17,6 +19,8 @@ class QVBoxLayout;
 class QVTKOpenGLNativeWidget;
 
 namespace remount::widgets {
+
+class ScaleBar;
 
 class SceneView : public QWidget {
   Q_OBJECT
@@ -32,6 +36,10 @@ class SceneView : public QWidget {
   void set_forward(double azimuth_rad);
   /// The buttons' menu of views: the actions that the window has for them, with their keys.
   void set_view_actions(const QList<QAction*>& actions);
+  /// What is far as large as what is near.
+  void set_parallel(bool on);
+  bool parallel() const;
+  QImage picture() const;  ///< of the scene, as it is shown
   void set_eye_dome(bool on);
   bool eye_dome() const;
   /// While measuring, two clicks measure the distance between two points; otherwise a click tells one point.
@@ -60,12 +68,16 @@ class SceneView : public QWidget {
   virtual void motion_changed(bool /*moving*/) {}
   virtual void size_changed() {}
   virtual void view_changed() {}  ///< by a key or button, not by the mouse
+  /// What the menu of a right click holds beside views and pictures; `picked`: the point that was clicked on.
+  virtual void fill_menu(QMenu& /*menu*/, const std::optional<Pick>& /*picked*/) {}
 
   QHBoxLayout* add_row();  ///< of buttons above the scene
   QToolButton* add_button(QHBoxLayout* row, const QString& text, const QString& help, bool checkable);
   void add_shading_button(QHBoxLayout* row);  ///< where there are points: lines are not shaded
   void add_common_buttons(QHBoxLayout* row);
   void show_scene();
+  /// What is rendered next is thin where the whole would be slow; the whole follows when nothing else is asked for.
+  void draw_quickly();
   void enable_buttons(bool enable);
   void add_below(QWidget* widget);
   void clear_marks();
@@ -75,6 +87,10 @@ class SceneView : public QWidget {
 
  private:
   bool handle_canvas(QEvent* event);
+  std::optional<Pick> pick_at(const QPointF& place_in_canvas) const;
+  void show_menu(const QPoint& place_in_canvas);
+  void save_picture();
+  void place_scale();
   void say(const QString& text);
   void place_readout();
   void show_picked();
@@ -89,7 +105,9 @@ class SceneView : public QWidget {
   QToolButton *measure_ = nullptr, *eye_dome_ = nullptr, *views_ = nullptr;
   std::vector<Pick> picked_;
   QPoint pressed_at_;
-  bool pressed_ = false;
+  bool pressed_ = false, pressed_right_ = false;
+  ScaleBar* scale_;
+  QList<QAction*> view_actions_;
   QTimer* rest_;  // after the last motion
   QString gl_reason_;
 };

@@ -27,6 +27,7 @@ class TextMatch {
   }
   bool operator()(const PairTableModel& model, PairIndex index) {
     const motion::Pair& pair = *model.pair(index);
+    if (model.mark_of(index).comment.contains(text_, Qt::CaseInsensitive)) return true;
     if (index == number_ || reason_.indexIn((*reasons_)[index]) >= 0) return true;
     const int state = 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     return once(states_, state, [&] { return state_text(pair); }) ||
@@ -94,7 +95,7 @@ void PairFilter::setSourceModel(QAbstractItemModel* model) {
   connect(model, &QAbstractItemModel::modelReset, this, &PairFilter::after_source_reset);
   connect(model, &QAbstractItemModel::dataChanged, this, [this] {
     known_column_ = -1;
-    update_shown();
+    keep_place();
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
   });
   connect(model, &QAbstractItemModel::headerDataChanged, this, &QAbstractItemModel::headerDataChanged);
@@ -106,10 +107,19 @@ void PairFilter::setSourceModel(QAbstractItemModel* model) {
 
 void PairFilter::after_source_reset() {
   known_column_ = -1;
+  in_order_ = true;
   set_shown(choose());
   endResetModel();
   emit shown_changed();
 }
+
+void PairFilter::hold(std::optional<PairIndex> pair) {
+  held_ = pair;
+  // Where the former one belongs here anyway and the new one is shown, nothing moves.
+  if (held_is_extra_ || (pair && row_of(pair) < 0)) keep_place();
+}
+
+void PairFilter::sort_again() { update_shown(); }
 
 void PairFilter::set_criteria(const PairCriteria& criteria) {
   criteria_ = criteria;
@@ -131,7 +141,44 @@ void PairFilter::set_shown(std::vector<PairIndex> shown) {
 }
 
 void PairFilter::update_shown() {
-  std::vector<PairIndex> shown = choose();
+  show(choose());
+  in_order_ = true;
+  emit order_kept();
+}
+
+/// Pairs that no longer belong here go, others come where they are sorted to, and the rest stays as it is.
+void PairFilter::keep_place() {
+  const std::vector<PairIndex> sorted = choose();
+  std::vector<PairIndex> kept = keep_order(sorted);
+  in_order_ = kept == sorted;
+  show(std::move(kept));
+  emit order_kept();
+}
+
+/// The pairs of `sorted` in the order that is shown; each that is not shown yet follows the one before it in `sorted`.
+std::vector<PairIndex> PairFilter::keep_order(const std::vector<PairIndex>& sorted) const {
+  std::vector<std::vector<PairIndex>> follow(shown_.size() + 1);  // of each row, the first: of none
+  std::vector<bool> stays(shown_.size(), false);
+  std::size_t after = 0;
+  for (const PairIndex pair : sorted) {
+    const int row = row_of(pair);
+    if (row >= 0) {
+      stays[index_at(row)] = true;
+      after = index_at(row) + 1;
+    } else {
+      follow[after].push_back(pair);
+    }
+  }
+  std::vector<PairIndex> kept = follow[0];
+  kept.reserve(sorted.size());
+  for (std::size_t row = 0; row < shown_.size(); ++row) {
+    if (stays[row]) kept.push_back(shown_[row]);
+    kept.insert(kept.end(), follow[row + 1].begin(), follow[row + 1].end());
+  }
+  return kept;
+}
+
+void PairFilter::show(std::vector<PairIndex> shown) {
   if (shown == shown_) return;
   emit layoutAboutToBeChanged();
   const QModelIndexList kept = persistentIndexList();
@@ -153,6 +200,9 @@ std::vector<PairIndex> PairFilter::choose() {
   for (PairIndex pair; pair < count; ++pair)
     if (matches(pair) && (!text || (*text)(*pairs_model(), pair))) pairs.push_back(pair);
   if (criteria_.group == PairGroup::Worst10) keep_worst(pairs);
+  matching_ = pairs.size();
+  held_is_extra_ = held_ && *held_ < count && !std::binary_search(pairs.begin(), pairs.end(), *held_);
+  if (held_is_extra_) pairs.insert(std::lower_bound(pairs.begin(), pairs.end(), *held_), *held_);
   sort_pairs(pairs);
   return pairs;
 }
@@ -166,6 +216,12 @@ bool PairFilter::matches(PairIndex index) const {
       break;
     case PairGroup::Undecided:
       if (pair.decided_by == motion::DecidedBy::User) return false;
+      break;
+    case PairGroup::NotSeen:
+      if (pairs_model()->mark_of(index).seen) return false;
+      break;
+    case PairGroup::Noted:
+      if (const PairMark& mark = pairs_model()->mark_of(index); !mark.flagged && mark.comment.isEmpty()) return false;
       break;
     case PairGroup::Worst10:
       if (!measured(pair, criteria_.measure)) return false;

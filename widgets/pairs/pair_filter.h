@@ -11,7 +11,7 @@
 namespace remount::widgets {
 
 /// What an engineer looks for.
-enum class PairGroup { All, Undecided, Worst10, ScrewFailed, FewShared, NotAligned };
+enum class PairGroup { All, Undecided, NotSeen, Noted, Worst10, ScrewFailed, FewShared, NotAligned };
 inline constexpr int kFewShared = 5;  ///< fewer static objects in common are few
 inline constexpr int kWorst = 10;
 
@@ -22,6 +22,8 @@ struct PairCriteria {
   QString text;                                            ///< in number, state, session or reason
 };
 
+/// Whoever decides about pairs one after the other must not lose the place: what a decision changes in a pair moves no
+/// row. The order is made anew when the user sorts, filters or asks for it.
 /// Sorts and filters a hundred thousand pairs in one go: Qt's own proxy takes rows out one range at a time, which
 /// stalls the window for seconds.
 class PairFilter : public QAbstractProxyModel {
@@ -30,6 +32,12 @@ class PairFilter : public QAbstractProxyModel {
   explicit PairFilter(QObject* parent = nullptr) : QAbstractProxyModel(parent) {}
   void setSourceModel(QAbstractItemModel* model) override;  ///< a PairTableModel
   void set_criteria(const PairCriteria& criteria);
+  /// The pair that is looked at: it stays in the list until it is left, whatever the criteria are.
+  void hold(std::optional<motion::PairIndex> pair);
+  std::size_t matching() const { return matching_; }  ///< pairs that the criteria choose, without the held one
+  /// False where decisions and results since then would put pairs elsewhere; sort_again does.
+  bool in_order() const { return in_order_; }
+  void sort_again();
   const PairCriteria& criteria() const { return criteria_; }
   /// Pairs in the order shown.
   const std::vector<motion::PairIndex>& pairs() const { return shown_; }
@@ -46,10 +54,14 @@ class PairFilter : public QAbstractProxyModel {
 
  signals:
   void shown_changed();  ///< other pairs, or another order
+  void order_kept();     ///< in_order may be another
 
  private:
   const PairTableModel* pairs_model() const { return static_cast<const PairTableModel*>(sourceModel()); }
   std::vector<motion::PairIndex> choose();
+  std::vector<motion::PairIndex> keep_order(const std::vector<motion::PairIndex>& sorted) const;
+  void keep_place();
+  void show(std::vector<motion::PairIndex> shown);
   bool matches(motion::PairIndex pair) const;
   void keep_worst(std::vector<motion::PairIndex>& pairs) const;
   void sort_pairs(std::vector<motion::PairIndex>& pairs);
@@ -59,6 +71,10 @@ class PairFilter : public QAbstractProxyModel {
   void after_source_reset();
 
   PairCriteria criteria_;
+  std::optional<motion::PairIndex> held_;
+  bool held_is_extra_ = false;  // it is shown although the criteria leave it out
+  bool in_order_ = true;
+  std::size_t matching_ = 0;
   int sort_column_ = PairTableModel::Number;
   Qt::SortOrder sort_order_ = Qt::AscendingOrder;
   std::vector<motion::PairIndex> shown_;  // pair of each row

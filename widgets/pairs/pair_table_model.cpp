@@ -2,6 +2,7 @@
 
 #include <QBrush>
 #include <QCoreApplication>
+#include <QFont>
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +30,8 @@ Heading heading(int column) {
   switch (column) {
     case PairTableModel::State:
       return {TableText::tr("State"), TableText::tr("What was decided about the pair, and by whom")};
+    case PairTableModel::Note:
+      return {TableText::tr("Note"), TableText::tr("Your flag and your comment")};
     case PairTableModel::ResidualTranslation:
       return {TableText::tr("Δpos [cm]"), TableText::tr("Translation residual of P X = X Q under the present result")};
     case PairTableModel::ResidualRotation:
@@ -102,6 +105,16 @@ void PairTableModel::show_output(std::shared_ptr<const pipeline::PipelineOutput>
   }
 }
 
+void PairTableModel::show_marks(PairMarksPtr marks) {
+  marks_ = std::move(marks);
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {Qt::FontRole});
+}
+
+const PairMark& PairTableModel::mark_of(motion::PairIndex pair) const {
+  static const PairMark none;
+  return marks_ && pair < marks_->size() ? (*marks_)[pair] : none;
+}
+
 void PairTableModel::set_palette(const QPalette& palette) {
   palette_ = palette;
   if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {Qt::ForegroundRole});
@@ -163,6 +176,8 @@ double PairTableModel::sort_number(motion::PairIndex index, int column) const {
       return pair.state == motion::PairState::Accepted ? pair.weight : std::nan("");
     case State:
       return 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
+    case Note:
+      return mark_of(index).flagged ? 0.0 : mark_of(index).comment.isEmpty() ? std::nan("") : 1.0;
     default:
       return qt_row(index);
   }
@@ -179,6 +194,8 @@ QString PairTableModel::display(motion::PairIndex index, int column) const {
       return state_text(pair);
     case Reason:
       return reason_words(pair.reason);
+    case Note:
+      return (mark_of(index).flagged ? QStringLiteral("⚑ ") : QString()) + mark_of(index).comment;
     case Shared:
       return pair.moving_objects > 0 ? tr("%1 + %2 moving").arg(pair.shared_objects).arg(pair.moving_objects)
                                      : QString::number(pair.shared_objects);
@@ -209,7 +226,7 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return display(*place, column);
     case Qt::TextAlignmentRole: {
-      const bool words = column == SessionName || column == State || column == Reason;
+      const bool words = column == SessionName || column == State || column == Reason || column == Note;
       return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (words ? Qt::AlignLeft : Qt::AlignRight)));
     }
     case Qt::ForegroundRole:
@@ -218,7 +235,13 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       if (column == Screw && !chosen->screw.passed) return QBrush(bad_color(palette_));
       return {};
     case Qt::ToolTipRole:
-      return tool_tip(*chosen, column);
+      return column == Note ? QVariant(mark_of(*place).comment) : tool_tip(*chosen, column);
+    case Qt::FontRole: {
+      // As mail that was not read.
+      QFont font;
+      font.setBold(!mark_of(*place).seen);
+      return column == Number ? QVariant(font) : QVariant();
+    }
     default:
       return {};
   }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "model/pipeline/pipeline.h"
+#include "widgets/pairs/pair_mark.h"
 #include "widgets/pairs/reason_texts.h"
 
 namespace remount::widgets {
@@ -17,6 +18,7 @@ class PairTableModel : public QAbstractTableModel {
   enum Column {
     Number,
     State,
+    Note,
     ResidualTranslation,
     ResidualRotation,
     Rmse,
@@ -38,6 +40,9 @@ class PairTableModel : public QAbstractTableModel {
 
   /// A snapshot of the calibration, or null. Where it holds the same pairs as before, selection and order stay.
   void show_output(std::shared_ptr<const pipeline::PipelineOutput> output, const QStringList& session_names);
+  /// Of each pair of the output, changed where they are.
+  void show_marks(PairMarksPtr marks);
+  const PairMark& mark_of(motion::PairIndex pair) const;
   void set_palette(const QPalette& palette);
   /// Null where the output that is shown has no such pair.
   const motion::Pair* pair(motion::PairIndex index) const;
@@ -62,6 +67,7 @@ class PairTableModel : public QAbstractTableModel {
   std::unique_ptr<ReasonTexts> reason_texts_;
   std::vector<std::int64_t> session_start_ns_;
   QStringList session_names_;
+  PairMarksPtr marks_;
   QPalette palette_;
 };
 

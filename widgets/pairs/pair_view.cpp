@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QTimer>
@@ -15,6 +16,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/basics/swatch.h"
 #include "widgets/basics/theme.h"
+#include "widgets/basics/value_legend.h"
 #include "widgets/scene/pair_colors.h"
 
 namespace remount::widgets {
@@ -29,11 +31,17 @@ PairView::PairView(QWidget* parent)
     : SceneView(tr("3-D view of the pair"), parent),
       caption_(new QLabel(this)),
       legend_(new DistanceLegend(this)),
+      values_(new ValueLegend(this)),
       timer_(new QTimer(this)) {
   make_buttons();
   caption_->setWordWrap(true);
   caption_->setTextFormat(Qt::RichText);
+  // Of one line as of two, or the picture would jump from pair to pair.
+  caption_->setFixedHeight(2 * caption_->fontMetrics().lineSpacing() + 2);
+  caption_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   add_below(legend_);
+  add_below(values_);
+  values_->hide();
   add_below(caption_);
   legend_->hide();
   connect(legend_, &DistanceLegend::limit_edited, this, &PairView::set_scale);
@@ -76,6 +84,9 @@ void PairView::make_buttons() {
     update_caption();
     render();
   });
+  ground_ = add_button(second, tr("Ground"), tr("Shows the points of the ground (G)"), true);
+  ground_->setChecked(true);
+  connect(ground_, &QToolButton::toggled, this, &PairView::show_ground);
   add_shading_button(second);
   add_common_buttons(second);
 }
@@ -94,15 +105,20 @@ void PairView::add_alignment_buttons(QHBoxLayout* row) {
 }
 
 void PairView::add_coloring(QHBoxLayout* row) {
-  auto* label = new QLabel(tr("Scan a:"), this);
+  auto* label = new QLabel(tr("Colour:"), this);
   coloring_ = new QComboBox(this);
-  coloring_->addItems({tr("Orange"), tr("Blue"), tr("By distance")});
-  coloring_->setAccessibleName(tr("Colour of scan a"));
-  coloring_->setToolTip(tr("One colour, or the distance of each point to the surfaces of scan b, in m"));
+  coloring_->addItems({tr("Scan a orange"), tr("Scan a blue"), tr("Distance"), tr("Distance, with side"), tr("Height"),
+                       tr("Intensity"), tr("Ring"), tr("Time in the scan")});
+  coloring_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  coloring_->setMinimumContentsLength(10);
+  coloring_->setAccessibleName(tr("Colour of the points"));
+  coloring_->setToolTip(
+      tr("Scan a in one colour, or by the distance of each point to the surfaces of scan b; or both "
+         "scans by what was measured of each point"));
   coloring_->setEnabled(has_gl());
   label->setBuddy(coloring_);
   connect(coloring_, &QComboBox::currentIndexChanged, this,
-          [this](int index) { set_coloring(static_cast<scene::SourceColoring>(index)); });
+          [this](int index) { set_coloring(static_cast<scene::PairColoring>(index)); });
   row->addWidget(label);
   row->addWidget(coloring_);
 }
@@ -125,8 +141,11 @@ void PairView::show_pair(const QString& caption, scene::PairSceneDataPtr scene_d
   known_.clear();
   show_scene();
   scene_.set_pair(data_, transforms);
+  view_from_lidar_b_ = transforms.view_from_lidar_b;
+  show_legend();
   offer_current(transforms.current_known);
   if (!framed_) scene_.stage().look(scene::StandardView::Isometric);
+  draw_quickly();
   framed_ = true;  // afterwards the view stays where the user has put it, from pair to pair
   apply();
 }
@@ -203,14 +222,47 @@ void PairView::apply() {
   render();
 }
 
-void PairView::set_coloring(scene::SourceColoring coloring) {
+void PairView::set_coloring(scene::PairColoring coloring) {
   const QSignalBlocker quiet(coloring_);
   coloring_->setCurrentIndex(static_cast<int>(coloring));
-  legend_->setVisible(coloring == scene::SourceColoring::Distance);
   scene_.set_coloring(coloring);
+  show_legend();
   color_by_distance();
   update_caption();
   render();
+}
+
+scene::PairColoring PairView::coloring() const { return static_cast<scene::PairColoring>(coloring_->currentIndex()); }
+
+void PairView::show_legend() {
+  legend_->setVisible(is_by_distance(coloring()));
+  legend_->show_sides(coloring() == scene::PairColoring::SignedDistance);
+  const bool by_value = coloring() >= scene::PairColoring::Height;
+  values_->setVisible(by_value);
+  if (!by_value) return;
+  const auto range = scene_.value_range();
+  const QString unit = coloring() == scene::PairColoring::Height ? tr("m")
+                       : coloring() == scene::PairColoring::Time ? tr("s")
+                                                                 : QString();
+  if (range)
+    values_->show_range(coloring_->currentText(), range->first, range->second, unit);
+  else
+    values_->show_message(tr("These scans have no such values."));
+}
+
+void PairView::show_ground(bool visible) {
+  const QSignalBlocker quiet(ground_);
+  ground_->setChecked(visible);
+  scene_.show_ground(visible);
+  render();
+}
+
+bool PairView::shows_ground() const { return ground_->isChecked(); }
+
+void PairView::fill_menu(QMenu& menu, const std::optional<Pick>& picked) {
+  if (!picked || !data_) return;
+  menu.addAction(tr("Section through this point"), this,
+                 [this, point = picked->point_in_view] { emit section_wanted(view_from_lidar_b_.inverse() * point); });
 }
 
 void PairView::set_scale(double limit_m) {
@@ -241,8 +293,7 @@ bool PairView::use_known_distances() {
 
 void PairView::color_by_distance() {
   ++request_;
-  if (coloring_->currentIndex() != static_cast<int>(scene::SourceColoring::Distance) || !data_ || use_known_distances())
-    return;
+  if (!is_by_distance(coloring()) || !data_ || use_known_distances()) return;
   legend_->show_medians({});
   DistanceRequest request{request_, data_, {}};
   for (int pane = 0; pane < scene_.stage().shown_panes(); ++pane)
@@ -302,10 +353,10 @@ void PairView::update_caption() {
   const scene::ScanColors scans = scene::scan_colors(is_dark(palette()));
   const QString box = QStringLiteral("□");
   QStringList parts{pair_caption_.toHtmlEscaped()};
-  const auto coloring = static_cast<scene::SourceColoring>(coloring_->currentIndex());
-  if (coloring != scene::SourceColoring::Distance)
-    parts << swatch(coloring == scene::SourceColoring::Orange ? scans.orange : scans.blue, tr("scan a"));
-  parts << swatch(scans.target, tr("scan b"));
+  const auto coloring = static_cast<scene::PairColoring>(coloring_->currentIndex());
+  if (coloring == scene::PairColoring::Orange || coloring == scene::PairColoring::Blue)
+    parts << swatch(coloring == scene::PairColoring::Orange ? scans.orange : scans.blue, tr("scan a"));
+  if (coloring < scene::PairColoring::Height) parts << swatch(scans.target, tr("scan b"));
   if (objects_->isChecked() && scene_.has_objects(false))
     parts << swatch(scene::kObjectA, tr("objects a"), box) << swatch(scene::kObjectB, tr("b"), box);
   if (objects_->isChecked() && scene_.has_objects(true))
@@ -315,6 +366,7 @@ void PairView::update_caption() {
                  .arg(share_ == 1.0 ? alignments_[index_of(after())]->text()
                                     : tr("%1 % of the way").arg(std::lround(100 * share_)));
   caption_->setText(parts.join(QStringLiteral(" &nbsp; ")));
+  caption_->setToolTip(caption_->text());
 }
 
 }  // namespace remount::widgets

@@ -15,6 +15,7 @@ class QTimer;
 namespace remount::widgets {
 
 class DistanceLegend;
+class ValueLegend;
 
 /// Asks for distances_to_target under each transform; they take too long for the thread of the window.
 struct DistanceRequest {
@@ -45,7 +46,9 @@ class PairView : public SceneView {
   bool blinking() const;
   /// Before on the left, after on the right, turned together.
   void set_side_by_side(bool on);
-  void set_coloring(scene::SourceColoring coloring);
+  void set_coloring(scene::PairColoring coloring);
+  void show_ground(bool visible);
+  bool shows_ground() const;
   void set_scale(double limit_m);
   double scale_m() const;
   /// The answer to a request; one that is no longer wanted is ignored.
@@ -55,6 +58,8 @@ class PairView : public SceneView {
  signals:
   void distances_wanted(const widgets::DistanceRequest& request);
   void scale_changed(double limit_m);
+  /// The user wants a section through this point, in the lidar frame of scan b, m.
+  void section_wanted(const Eigen::Vector3d& point_in_lidar_b);
 
  protected:
   std::optional<Pick> pick(const scene::PickRay& ray) const override;
@@ -62,6 +67,7 @@ class PairView : public SceneView {
   void pixel_ratio_changed(double ratio) override;
   void palette_changed() override;
   void motion_changed(bool moving) override;
+  void fill_menu(QMenu& menu, const std::optional<Pick>& picked) override;
 
  private:
   void make_buttons();
@@ -71,19 +77,23 @@ class PairView : public SceneView {
   scene::PairAlignment after() const;
   void apply();
   void color_by_distance();
+  scene::PairColoring coloring() const;
+  void show_legend();
   bool use_known_distances();
   void update_caption();
 
   scene::PairScene scene_;
   QLabel* caption_;
   DistanceLegend* legend_;
+  ValueLegend* values_;
   std::array<QToolButton*, 3> alignments_{};
-  QToolButton *blink_ = nullptr, *side_by_side_ = nullptr, *objects_ = nullptr;
+  QToolButton *blink_ = nullptr, *side_by_side_ = nullptr, *objects_ = nullptr, *ground_ = nullptr;
   QSlider* slider_ = nullptr;
   QComboBox* coloring_ = nullptr;
   QTimer* timer_;
   QString pair_caption_;
   scene::PairSceneDataPtr data_;
+  RigidTransform view_from_lidar_b_ = RigidTransform::Identity();
   scene::PairAlignment chosen_ = scene::PairAlignment::Registered;  // what "after" is
   bool current_known_ = true;
   double share_ = 1.0;

@@ -23,15 +23,20 @@ class PairsPanel : public QWidget {
   explicit PairsPanel(PairTableModel& model, QWidget* parent = nullptr);
   void show_output(std::shared_ptr<const pipeline::PipelineOutput> output);
   void show_selected(std::optional<motion::PairIndex> pair);
+  void show_marks(PairMarksPtr marks, int seen);
+  void add_tool(QWidget* tool);           ///< before the buttons that decide
   void set_measure(PairMeasure measure);  ///< of the worst
   /// Reasons for rejecting, beside the button.
   void set_reason_menu(QMenu* menu);
-  /// Pairs marked in the table (several with Ctrl or Shift), ascending; at least the current one.
+  /// Pairs marked in the table (several with Ctrl or Shift), ascending, where the one that is looked at is among them:
+  /// a decision never meets pairs of which none is shown. Else that one alone; empty: none is looked at.
   std::vector<motion::PairIndex> marked_pairs() const;
   /// The pair that follows (step 1) or precedes (step -1) in the order shown; nothing where there is none. With
   /// `undecided` only pairs that the user has not decided count. Where the present pair is filtered away, its former
   /// place counts.
   std::optional<motion::PairIndex> neighbour(int step, bool undecided) const;
+  /// The pairs so many rows from the present one, where there are any.
+  std::vector<motion::PairIndex> neighbours(std::initializer_list<int> steps) const;
   QTableView* table() const { return table_; }
   PairFilter* filter() const { return filter_; }
 
@@ -47,6 +52,9 @@ class PairsPanel : public QWidget {
   void make_buttons(QHBoxLayout& row);
   void apply_criteria();
   void update_count();
+  void update_decisions();
+  void extend_marks(int steps);
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
   PairTableModel& model_;
   PairFilter* filter_;
@@ -55,10 +63,14 @@ class PairsPanel : public QWidget {
   QComboBox* group_;
   QLineEdit* text_;
   QLabel* count_;
+  QLabel* seen_;
+  QToolButton* sort_again_;
+  QHBoxLayout* tools_ = nullptr;
   QPushButton* accept_;
   QToolButton* reject_;
   std::optional<motion::PairIndex> selected_;
   int last_row_ = -1;
+  int anchor_row_ = 0;  // from which Shift marks: of the row that was marked alone last
   bool sized_ = false;  // columns follow their contents once; afterwards they are the user's
 };
 

@@ -27,8 +27,8 @@ SceneColor DistanceScale::at(double share) {
 
 SceneColor DistanceScale::color(float distance_m) const {
   if (std::isnan(distance_m)) return kNothingNear;
-  if (static_cast<double>(distance_m) > limit_m_) return kOverRange;
-  return at(static_cast<double>(distance_m) / limit_m_);
+  const double apart_m = std::abs(static_cast<double>(distance_m));
+  return apart_m > limit_m_ ? kOverRange : at(apart_m / limit_m_);
 }
 
 std::vector<SceneColor> DistanceScale::colors(const std::vector<float>& distances_m) const {

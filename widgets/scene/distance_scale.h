@@ -19,7 +19,7 @@ class DistanceScale {
   explicit DistanceScale(double limit_m = kDefault_m);
   double limit_m() const { return limit_m_; }
 
-  SceneColor color(float distance_m) const;  ///< NaN: nothing to compare with
+  SceneColor color(float distance_m) const;  ///< of whichever side; NaN: nothing to compare with
   std::vector<SceneColor> colors(const std::vector<float>& distances_m) const;
 
   static constexpr SceneColor kOverRange{204, 51, 17};

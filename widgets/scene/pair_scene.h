@@ -10,11 +10,21 @@
 
 namespace remount::scene {
 
-enum class SourceColoring {
+/// Of scan a alone, or of both scans.
+enum class PairColoring {
   Orange,
   Blue,
-  Distance,  ///< to the surfaces of the target
+  Distance,        ///< of scan a to the surfaces of scan b
+  SignedDistance,  ///< the same, with the side
+  Height,          ///< of both, as all below
+  Intensity,
+  Ring,
+  Time,
 };
+/// Needs distances_to_target.
+constexpr bool is_by_distance(PairColoring coloring) {
+  return coloring == PairColoring::Distance || coloring == PairColoring::SignedDistance;
+}
 
 /// A point that was clicked on.
 struct PairPick {
@@ -47,7 +57,11 @@ class PairScene {
   bool has_objects(bool moving) const;
   void set_dark(bool dark);
   void set_pixel_ratio(double device_pixels);  ///< of the display: points are as large on every one
-  void set_coloring(SourceColoring coloring);
+  void set_coloring(PairColoring coloring);
+  /// Between which values the colours of both scans run; nothing where the scans do not have what they are to be
+  /// coloured by, or one colour or a distance is shown.
+  std::optional<std::pair<double, double>> value_range() const;
+  void show_ground(bool visible);
   void set_scale(double limit_m);
   /// Distances of distances_to_target for each picture; empty: not known yet.
   void set_distances(int pane, std::vector<float> distances_m);

@@ -56,22 +56,39 @@ RigidTransform between(const RigidTransform& first, const RigidTransform& second
 }
 
 PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> clouds, const Progress& progress) {
+  ScanScenes alone;
+  return prepare_pair_scene(std::move(clouds), alone, progress);
+}
+
+std::shared_ptr<ScanScenes> make_scan_scenes() { return std::make_shared<ScanScenes>(); }
+
+PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> clouds, ScanScenes& scans,
+                                    const Progress& progress) {
+  ScanScenePtr scan_a = scans.prepare(clouds->scan_a, progress), scan_b = scans.prepare(clouds->scan_b, progress);
+  if (!scan_a || !scan_b) return nullptr;
   std::vector<ObjectBox> boxes_a, boxes_b;
   for (const cloud::ObjectMatch& match : clouds->matches) {
-    boxes_a.push_back({&clouds->objects_a.at(match.object_a), match.moving});
-    boxes_b.push_back({&clouds->objects_b.at(match.object_b), match.moving});
+    boxes_a.push_back({&clouds->scan_a->objects.at(match.object_a), match.moving});
+    boxes_b.push_back({&clouds->scan_b->objects.at(match.object_b), match.moving});
   }
-  auto data = std::make_shared<PairSceneData>(PairSceneData{
-      clouds, make_geometry(order_by_levels(clouds->cloud_a.points, progress)),
-      make_geometry(order_by_levels(clouds->cloud_b.points, progress)),
-      quality::SurfaceDistance(clouds->cloud_a, progress), quality::SurfaceDistance(clouds->cloud_b, progress),
-      polydata_from_boxes(boxes_a, kObjectA, kMoving), polydata_from_boxes(boxes_b, kObjectB, kMoving)});
-  return progress.cancelled() ? nullptr : data;
+  return std::make_shared<const PairSceneData>(PairSceneData{std::move(clouds), std::move(scan_a), std::move(scan_b),
+                                                             polydata_from_boxes(boxes_a, kObjectA, kMoving),
+                                                             polydata_from_boxes(boxes_b, kObjectB, kMoving)});
+}
+
+std::shared_ptr<const pipeline::PairClouds> clouds_of(const PairSceneData& data) { return data.clouds; }
+
+std::size_t SceneMemory::add(const PairSceneData& data) {
+  for (const ScanScenePtr& scan : {data.scan_a, data.scan_b})
+    if (counted_.insert(scan.get()).second) bytes_ += scan->bytes();
+  return bytes_;
 }
 
 std::vector<float> distances_to_target(const PairSceneData& data, const RigidTransform& lidar_b_from_lidar_a,
                                        const Progress& progress) {
-  return data.surfaces_b.of(data.cloud_a->cloud->points, lidar_b_from_lidar_a, progress);
+  const std::shared_ptr<const quality::SurfaceDistance> surfaces = data.scan_b->surfaces(progress);
+  if (progress.cancelled()) return {};
+  return surfaces->signed_of(data.cloud_a().cloud->points, lidar_b_from_lidar_a, progress);
 }
 
 }  // namespace remount::scene

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
-#include "model/pipeline/pipeline.h"
+#include "model/pipeline/pair_clouds.h"
 
 namespace remount::scene {
 
@@ -25,6 +26,7 @@ struct PairTransforms {
   bool current_known = true;  ///< there is a result, or a candidate is looked at
   /// Brings lidar b to the axes of the vehicle, so that "top" is above the vehicle however the sensor is turned.
   RigidTransform view_from_lidar_b = RigidTransform::Identity();
+  Eigen::Vector3d up_in_view = Eigen::Vector3d::UnitZ();  ///< away from the ground
 
   const RigidTransform& of(PairAlignment alignment) const;
 };
@@ -44,11 +46,32 @@ RigidTransform between(const RigidTransform& first, const RigidTransform& second
 struct PairSceneData;  // VTK inside: pair_scene_parts.h
 using PairSceneDataPtr = std::shared_ptr<const PairSceneData>;
 
-/// Points in the order of their levels, surfaces for distances, and boxes. Null where cancelled.
+/// What scenes of pairs with a scan in common share of it; thread-safe. VTK inside: scan_scene.h
+class ScanScenes;
+std::shared_ptr<ScanScenes> make_scan_scenes();
+
+/// Points in the order of their levels, and boxes. Null where cancelled.
+PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> clouds, ScanScenes& scans,
+                                    const Progress& progress);
+/// Of a pair that shares its scans with no other.
 PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> clouds, const Progress& progress);
 
-/// How far each point of scan a is from the surfaces of scan b under this transform, m, in the order in which the scene
-/// draws them; NaN for nothing near. Empty where cancelled.
+/// The scans that a scene was prepared from.
+std::shared_ptr<const pipeline::PairClouds> clouds_of(const PairSceneData& data);
+
+/// Adds up what scenes take, a scan that several share once.
+class SceneMemory {
+ public:
+  /// About the bytes of all scenes that were added, this one included.
+  std::size_t add(const PairSceneData& data);
+
+ private:
+  std::set<const void*> counted_;
+  std::size_t bytes_ = 0;
+};
+
+/// How far each point of scan a is from the surfaces of scan b under this transform, m, negative behind them, in the
+/// order in which the scene draws them; NaN for nothing near. Empty where cancelled.
 std::vector<float> distances_to_target(const PairSceneData& data, const RigidTransform& lidar_b_from_lidar_a,
                                        const Progress& progress);
 

@@ -35,6 +35,8 @@ constexpr Palette kDark{{0.08, 0.09, 0.10}, {0.14, 0.15, 0.17}, {0.9, 0.9, 0.92}
 // Of the radius of what is framed: farther behind it nothing is drawn, or the depth buffer would be spent on stray
 // points.
 constexpr double kDepthReach = 8.0;
+// Of the distance at which a camera in parallel stands: from there its rays start.
+constexpr double kAway = 100.0;
 
 void set_axis_color(vtkAxesActor& axes, const Rgb& color) {
   for (vtkCaptionActor2D* caption :
@@ -69,13 +71,30 @@ struct SceneStage::Parts {
   double forward_rad = 0.0;
   std::function<void(double)> frame_listener;
   std::function<void(bool)> motion_listener;
+  std::function<void()> drawn_listener;
+
+  double half_angle_rad() const { return 0.5 * degrees_to_radians(camera->GetViewAngle()); }
+  Eigen::Vector3d position() const {
+    double at[3];
+    camera->GetPosition(at);
+    return Eigen::Vector3d(at);
+  }
+  Eigen::Vector3d focus() const {
+    double at[3];
+    camera->GetFocalPoint(at);
+    return Eigen::Vector3d(at);
+  }
+  /// A camera in parallel stands behind everything that is drawn: what it shows does not depend on where it stands.
+  double parallel_distance_m() const { return 2.0 * kDepthReach * framing.radius_m; }
+  void stand_at(double distance_m) {
+    const Eigen::Vector3d at = focus() + distance_m * (position() - focus()).normalized();
+    camera->SetPosition(at.x(), at.y(), at.z());
+  }
 
   void limit_depth() {
     // From where the camera stands: a thousandth of the way to the far end is near enough to see what is looked at, and
     // leaves the depth buffer its precision.
-    double position[3];
-    camera->GetPosition(position);
-    const double distance_m = (Eigen::Vector3d(position) - framing.centre_m).norm();
+    const double distance_m = (position() - framing.centre_m).norm();
     const double far_m = distance_m + kDepthReach * framing.radius_m;
     camera->SetClippingRange(std::min(0.1 * camera->GetDistance(), 2e-3 * far_m), std::max(far_m, 1e-3));
   }
@@ -138,6 +157,7 @@ void SceneStage::attach(vtkRenderWindow& window) {
   p.observe(window, vtkCommand::StartEvent, [&p] { p.frame_began = Clock::now(); });
   p.observe(window, vtkCommand::EndEvent, [&p] {
     p.window->WaitForCompletion();  // or the time would be that of handing over the work
+    if (p.drawn_listener) p.drawn_listener();
     if (p.frame_listener) p.frame_listener(std::chrono::duration<double>(Clock::now() - p.frame_began).count());
   });
 }
@@ -197,22 +217,51 @@ void SceneStage::frame(const Framing& framing) { parts_->framing = framing; }
 void SceneStage::look(StandardView view) {
   Parts& p = *parts_;
   vtkCamera& camera = *p.camera;
-  const double distance_m = 0.85 * p.framing.radius_m / std::sin(0.5 * degrees_to_radians(camera.GetViewAngle()));
+  if (view == StandardView::Isometric) camera.ParallelProjectionOff();
+  if (view == StandardView::Top || view == StandardView::Front || view == StandardView::Left)
+    camera.ParallelProjectionOn();
+  const double distance_m = 0.85 * p.framing.radius_m / std::sin(p.half_angle_rad());
   double azimuth = degrees_to_radians(-155.0), elevation = degrees_to_radians(35.0);  // as from a following car
   if (view == StandardView::Top) azimuth = kPi, elevation = 0.5 * kPi;
   if (view == StandardView::Left) azimuth = 0.5 * kPi, elevation = 0.0;
   if (view == StandardView::Front) azimuth = 0.0, elevation = 0.0;
   azimuth += p.forward_rad;
   if (view == StandardView::Fit) {
-    double position[3], focus[3];
-    camera.GetPosition(position);
-    camera.GetFocalPoint(focus);
-    const Eigen::Vector3d back = Eigen::Vector3d(position) - Eigen::Vector3d(focus);
+    const Eigen::Vector3d back = p.position() - p.focus();
     azimuth = std::atan2(back.y(), back.x());
     elevation = std::atan2(back.z(), std::hypot(back.x(), back.y()));
   }
-  place_camera(camera, p.framing.centre_m.data(), distance_m, azimuth, elevation);
+  camera.SetParallelScale(distance_m * std::tan(p.half_angle_rad()));
+  place_camera(camera, p.framing.centre_m.data(), parallel() ? p.parallel_distance_m() : distance_m, azimuth,
+               elevation);
   p.limit_depth();
+}
+
+void SceneStage::set_parallel(bool on) {
+  Parts& p = *parts_;
+  if (on == parallel()) return;
+  const double tangent = std::tan(p.half_angle_rad());
+  if (on) p.camera->SetParallelScale((p.position() - p.focus()).norm() * tangent);
+  p.camera->SetParallelProjection(on);
+  p.stand_at(on ? p.parallel_distance_m() : p.camera->GetParallelScale() / tangent);
+  p.limit_depth();
+}
+
+bool SceneStage::parallel() const { return parts_->camera->GetParallelProjection() != 0; }
+
+void SceneStage::centre_on(const Eigen::Vector3d& point_in_view) {
+  Parts& p = *parts_;
+  const Eigen::Vector3d position = point_in_view + p.position() - p.focus();
+  p.camera->SetFocalPoint(point_in_view.x(), point_in_view.y(), point_in_view.z());
+  p.camera->SetPosition(position.x(), position.y(), position.z());
+}
+
+double SceneStage::metres_per_pixel() const {
+  const Parts& p = *parts_;
+  const int height_px = std::max(1, p.panes[0].scene->GetSize()[1]);
+  const double half_m =
+      parallel() ? p.camera->GetParallelScale() : (p.position() - p.focus()).norm() * std::tan(p.half_angle_rad());
+  return 2.0 * half_m / height_px;
 }
 
 std::optional<PickRay> SceneStage::ray_at(double x_px, double y_px) const {
@@ -227,11 +276,16 @@ std::optional<PickRay> SceneStage::ray_at(double x_px, double y_px) const {
     double right = 2.0 * x - 1.0, up = 2.0 * y - 1.0, far = 1.0;
     renderer.ViewToWorld(right, up, far);
     PickRay ray;
-    double position[3];
-    p.camera->GetPosition(position);
-    ray.origin_in_view = Eigen::Vector3d(position);
-    ray.direction_in_view = (Eigen::Vector3d(right, up, far) - ray.origin_in_view).normalized();
-    ray.pixel_rad = degrees_to_radians(p.camera->GetViewAngle()) / size[1];
+    if (parallel()) {
+      // From so far away that its pixel is an angle, too.
+      ray.direction_in_view = (p.focus() - p.position()).normalized();
+      ray.origin_in_view = Eigen::Vector3d(right, up, far) - kAway * p.parallel_distance_m() * ray.direction_in_view;
+      ray.pixel_rad = metres_per_pixel() / ((kAway - 1.0) * p.parallel_distance_m());
+    } else {
+      ray.origin_in_view = p.position();
+      ray.direction_in_view = (Eigen::Vector3d(right, up, far) - ray.origin_in_view).normalized();
+      ray.pixel_rad = degrees_to_radians(p.camera->GetViewAngle()) / size[1];
+    }
     ray.pane = i;
     return ray;
   }
@@ -261,6 +315,8 @@ void SceneStage::keep_picture(bool keep) {
 void SceneStage::on_motion(std::function<void(bool)> listener) { parts_->motion_listener = std::move(listener); }
 
 void SceneStage::on_frame(std::function<void(double)> listener) { parts_->frame_listener = std::move(listener); }
+
+void SceneStage::on_drawn(std::function<void()> listener) { parts_->drawn_listener = std::move(listener); }
 
 void SceneStage::set_forward(double azimuth_rad) { parts_->forward_rad = azimuth_rad; }
 

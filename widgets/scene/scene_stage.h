@@ -16,7 +16,8 @@ class vtkRenderWindow;
 
 namespace remount::scene {
 
-/// Fit keeps the direction of the view. Left looks at the vehicle's left side, front at its front.
+/// Fit keeps the direction of the view. Left looks at the vehicle's left side, front at its front. What is seen along
+/// an axis is seen in parallel, so that lengths can be compared; the isometric view is in perspective.
 enum class StandardView { Fit, Top, Front, Left, Isometric };
 
 /// Points that the user marked, in the frame in which the scene is shown, m; a line joins two of them.
@@ -49,6 +50,13 @@ class SceneStage {
   /// What the views look at. Also bounds the depth that is drawn, so that stray points cannot use it up.
   void frame(const Framing& framing);
   void look(StandardView view);
+  /// Parallel: what is far is as large as what is near.
+  void set_parallel(bool on);
+  bool parallel() const;
+  /// Orbits and zooms about this point from now on.
+  void centre_on(const Eigen::Vector3d& point_in_view);
+  /// Of the window, in the distance of what is looked at; everywhere where the view is parallel.
+  double metres_per_pixel() const;
   /// The ray through a pixel of the window, counted from the lower left; nothing outside the pictures.
   std::optional<PickRay> ray_at(double x_px, double y_px) const;
   /// Where a point of the view is on the window; for tests and for labels.
@@ -60,6 +68,8 @@ class SceneStage {
   void on_motion(std::function<void(bool moving)> listener);
   /// Called after each frame with the seconds that it took, the graphics processor's work included.
   void on_frame(std::function<void(double seconds)> listener);
+  /// Called after each frame, whoever drew it.
+  void on_drawn(std::function<void()> listener);
   /// Azimuth of the vehicle's forward axis in the view, rad: what "front" and "left" mean.
   void set_forward(double azimuth_rad);
 

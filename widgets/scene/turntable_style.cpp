@@ -28,6 +28,33 @@ void place_camera(vtkCamera& camera, const double focal_point[3], double distanc
                    std::cos(elevation));
 }
 
+Eigen::Vector3d TurntableStyle::under_cursor() const {
+  double focus[3];
+  CurrentRenderer->GetActiveCamera()->GetFocalPoint(focus);
+  CurrentRenderer->SetWorldPoint(focus[0], focus[1], focus[2], 1.0);
+  CurrentRenderer->WorldToDisplay();
+  const double depth = CurrentRenderer->GetDisplayPoint()[2];
+  const int* const cursor = Interactor->GetEventPosition();
+  CurrentRenderer->SetDisplayPoint(cursor[0], cursor[1], depth);
+  CurrentRenderer->DisplayToWorld();
+  const double* const world = CurrentRenderer->GetWorldPoint();
+  return Eigen::Vector3d(world[0], world[1], world[2]) / world[3];
+}
+
+void TurntableStyle::Dolly(double factor) {
+  if (!CurrentRenderer) return;
+  vtkCamera& camera = *CurrentRenderer->GetActiveCamera();
+  const Eigen::Vector3d before = under_cursor();
+  camera.GetParallelProjection() ? camera.SetParallelScale(camera.GetParallelScale() / factor) : camera.Dolly(factor);
+  const Eigen::Vector3d shift = before - under_cursor();
+  double position[3], focus[3];
+  camera.GetPosition(position);
+  camera.GetFocalPoint(focus);
+  camera.SetPosition(position[0] + shift.x(), position[1] + shift.y(), position[2] + shift.z());
+  camera.SetFocalPoint(focus[0] + shift.x(), focus[1] + shift.y(), focus[2] + shift.z());
+  Interactor->Render();
+}
+
 void TurntableStyle::Rotate() {
   if (!CurrentRenderer) return;
   const int* const now = Interactor->GetEventPosition();

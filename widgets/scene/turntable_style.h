@@ -3,6 +3,8 @@
 
 #include <vtkInteractorStyleTrackballCamera.h>
 
+#include <Eigen/Core>
+
 class vtkCamera;
 
 namespace remount::scene {
@@ -12,7 +14,8 @@ namespace remount::scene {
 void place_camera(vtkCamera& camera, const double focal_point[3], double distance_m, double azimuth_rad,
                   double elevation_rad);
 
-/// Left drag orbits about z, middle or shift drag pans, wheel or right drag zooms. VTK's own keys do nothing.
+/// Left drag orbits about z, middle or shift drag pans, wheel or right drag zooms to what is under the cursor. VTK's
+/// own keys do nothing.
 class TurntableStyle : public vtkInteractorStyleTrackballCamera {
  public:
   static TurntableStyle* New();
@@ -22,6 +25,10 @@ class TurntableStyle : public vtkInteractorStyleTrackballCamera {
 
  protected:
   TurntableStyle() = default;
+  void Dolly(double factor) override;
+
+ private:
+  Eigen::Vector3d under_cursor() const;  ///< as far away as the focal point
 };
 
 }  // namespace remount::scene

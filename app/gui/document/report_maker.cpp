@@ -98,6 +98,7 @@ void ReportMaker::go_on() {
 void ReportMaker::begin() {
   output_ = workbench_.outcome().output();
   input_ = workbench_.outcome().input();
+  source_ = workbench_.engine().open_pairs(input_, output_);
   report_ = {};
   report_.file = project::make_result_file(input_, *output_, workbench_.outcome().input_files());
   report_.created = formats::now_in_utc();
@@ -119,11 +120,10 @@ void ReportMaker::next_pair() {
   pairs_.erase(pairs_.begin());
   emit progressed(tr("Report: picture of pair %1…").arg(pair));
   jobs_.start(
-      [this, pair, input = input_, output = output_,
-       load = workbench_.engine().load_pair_clouds](Progress& progress) -> JobRunner::Deliver {
-        const auto clouds = std::make_shared<const pipeline::PairClouds>(load(input, *output, pair));
-        const bool scans = clouds->cloud_a.size() > 0 || clouds->cloud_b.size() > 0;
-        const scene::PairSceneDataPtr data = scans ? scene::prepare_pair_scene(clouds, progress) : nullptr;
+      [this, pair, output = output_, source = source_](Progress& progress) -> JobRunner::Deliver {
+        const auto clouds = std::make_shared<const pipeline::PairClouds>(source->load(pair, progress));
+        const scene::PairSceneDataPtr data =
+            clouds->has_points() ? scene::prepare_pair_scene(clouds, progress) : nullptr;
         return [this, pair, data, transforms = scene::pair_transforms(*output, pair)] {
           if (data) {
             sittings_ = {{pair, scene::PairAlignment::Before, data, transforms}};  // drawn from the last

@@ -52,6 +52,7 @@ class ReportMaker : public QObject {
   report::Report report_;
   pipeline::PipelineInput input_;
   OutputPtr output_;
+  std::shared_ptr<const pipeline::PairSource> source_;
   std::vector<motion::PairIndex> pairs_;                        // still to be pictured
   std::unique_ptr<scene::PairPainter> painter_;                 // null while nothing is drawn
   std::vector<Sitting> sittings_;                               // of the present pair, still to be drawn

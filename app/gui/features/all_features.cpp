@@ -1,6 +1,7 @@
 #include "app/gui/features/all_features.h"
 
 #include "app/gui/features/candidates_feature.h"
+#include "app/gui/features/contact_sheet_feature.h"
 #include "app/gui/features/drive_feature.h"
 #include "app/gui/features/help_feature.h"
 #include "app/gui/features/import_feature.h"
@@ -13,6 +14,7 @@
 #include "app/gui/features/quality_feature.h"
 #include "app/gui/features/result_feature.h"
 #include "app/gui/features/run_feature.h"
+#include "app/gui/features/section_feature.h"
 #include "app/gui/features/setup_feature.h"
 #include "app/gui/features/vehicle_feature.h"
 
@@ -20,20 +22,22 @@ namespace remount::gui {
 
 std::vector<MakeFeature> all_features() {
   return {
-      plug<RunFeature>(),         //
-      plug<ProjectFeature>(),     //
-      plug<ImportFeature>(),      //
-      plug<SetupFeature>(),       //
-      plug<ResultFeature>(),      //
-      plug<PairsFeature>(),       //
-      plug<PairViewFeature>(),    //
-      plug<DriveFeature>(),       //
-      plug<CandidatesFeature>(),  //
-      plug<MapFeature>(),         //
-      plug<VehicleFeature>(),     //
-      plug<QualityFeature>(),     //
-      plug<MethodsFeature>(),     //
-      plug<LogFeature>(),         //
+      plug<RunFeature>(),           //
+      plug<ProjectFeature>(),       //
+      plug<ImportFeature>(),        //
+      plug<SetupFeature>(),         //
+      plug<ResultFeature>(),        //
+      plug<PairsFeature>(),         //
+      plug<SectionFeature>(),       //
+      plug<PairViewFeature>(),      //
+      plug<ContactSheetFeature>(),  //
+      plug<DriveFeature>(),         //
+      plug<CandidatesFeature>(),    //
+      plug<MapFeature>(),           //
+      plug<VehicleFeature>(),       //
+      plug<QualityFeature>(),       //
+      plug<MethodsFeature>(),       //
+      plug<LogFeature>(),           //
       plug<HelpFeature>(),
   };
 }

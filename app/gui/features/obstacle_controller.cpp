@@ -32,7 +32,7 @@ void ObstacleController::check() {
       [self = QPointer(this), clouds = clouds_, before = before_vehicle_from_lidar_,
        result = result_vehicle_from_lidar_, options = dialog_.options()](Progress&) -> JobRunner::Deliver {
         const quality::ObstacleComparison found =
-            quality::compare_obstacles(clouds->cloud_b, clouds->objects_b, before, result, options);
+            quality::compare_obstacles(clouds->cloud_b(), clouds->scan_b->objects, before, result, options);
         return [self, found, options] {
           if (!self) return;
           self->dialog_.show_comparison(found, options);

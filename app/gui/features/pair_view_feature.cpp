@@ -7,6 +7,7 @@
 #include "app/gui/features/obstacle_controller.h"
 #include "app/gui/features/pairs_feature.h"
 #include "app/gui/features/scene_controller.h"
+#include "app/gui/features/section_feature.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
@@ -39,6 +40,8 @@ void PairViewFeature::make_review() {
   const QList<QWidget*> widgets = pairs->key_widgets() + QList<QWidget*>{view_->canvas()};
   for (QWidget* widget : widgets)
     if (widget) widget->addAction(flip);
+  pairs->add_review(MenuPlace::ReviewView, "ground", tr("Show or hide the &ground"), QKeySequence("G"),
+                    [this] { view_->show_ground(!view_->shows_ground()); });
   pairs->add_review(MenuPlace::ReviewView, "blink", tr("&Blink"), QKeySequence("B"),
                     [this] { view_->set_blinking(!view_->blinking()); });
 }
@@ -48,6 +51,9 @@ void PairViewFeature::make_scene() {
       workbench_, *view_, [this](motion::PairIndex pair) { return caption(pair); }, &window_);
   if (const QVariant scale = remembers() ? QSettings().value(kScale) : QVariant(); scale.isValid())
     view_->set_scale(scale.toDouble());
+  connect(view_, &widgets::PairView::section_wanted, this, [this](const Eigen::Vector3d& point_in_lidar_b) {
+    if (auto* sections = window_.feature<SectionFeature>()) sections->lay_through(point_in_lidar_b);
+  });
   connect(view_, &widgets::PairView::scale_changed, this, [](double limit_m) {
     if (remembers()) QSettings().setValue(kScale, limit_m);
   });
@@ -56,13 +62,14 @@ void PairViewFeature::make_scene() {
 void PairViewFeature::connect_selection() {
   const Selection& selection = workbench_.selection();
   connect(&selection, &Selection::changed, this, &PairViewFeature::show_selected);
-  connect(&selection, &Selection::clouds_loading, this, [this](motion::PairIndex pair) {
+  const PairScenes& scenes = workbench_.pair_scenes();
+  connect(&scenes, &PairScenes::reading, this, [this](motion::PairIndex pair) {
     const QString reading = tr("Reading the scans of pair %1…").arg(pair);
     window_.tell(reading);
     if (!view_->shows_scene()) view_->show_message(reading);  // a scene stays until the next is there
   });
-  connect(&selection, &Selection::clouds_loaded, this, &PairViewFeature::show_clouds);
-  connect(&selection, &Selection::clouds_failed, this, [this](motion::PairIndex pair, const QString& why) {
+  connect(&scenes, &PairScenes::ready, this, &PairViewFeature::show_scans);
+  connect(&scenes, &PairScenes::failed, this, [this](motion::PairIndex pair, const QString& why) {
     view_->show_message(tr("The scans of pair %1 cannot be shown.\n%2").arg(pair).arg(why));
     window_.tell(idle_text(workbench_));
   });
@@ -70,7 +77,7 @@ void PairViewFeature::connect_selection() {
 
 void PairViewFeature::show_selected(std::optional<motion::PairIndex> pair) {
   shown_clouds_ = nullptr;
-  scenes_->forget_pair();
+  scenes_->forget_clouds();
   obstacles_->setEnabled(false);
   if (!pair) view_->show_message(no_pair_text(workbench_));
 }
@@ -115,17 +122,18 @@ void PairViewFeature::show_cross_pair(const QString& caption, const CloudsPtr& c
   window_.tell(idle_text(workbench_));
 }
 
-void PairViewFeature::show_clouds(motion::PairIndex pair, const CloudsPtr& clouds) {
+void PairViewFeature::show_scans(motion::PairIndex pair, const scene::PairSceneDataPtr& data) {
   const OutputPtr output = workbench_.outcome().output();
-  if (!output || pair != workbench_.selection().pair()) return;
-  shown_clouds_ = clouds;
+  if (!output) return;
+  shown_clouds_ = scene::clouds_of(*data);
   const bool of_ins_and_lidar =
       output->result.mounting.is_of({calibration::BodyFrame::Ins, calibration::BodyFrame::Lidar});
-  obstacles_->setEnabled(calibration::is_usable(output->result) && of_ins_and_lidar && !clouds->objects_b.empty());
-  if (clouds->cloud_a.size() == 0 && clouds->cloud_b.size() == 0)
-    view_->show_message(tr("Pair %1 comes from LiDAR poses: there are no scans to show.").arg(pair));
+  obstacles_->setEnabled(calibration::is_usable(output->result) && of_ins_and_lidar &&
+                         !shown_clouds_->scan_b->objects.empty());
+  if (shown_clouds_->has_points())
+    scenes_->show_pair(pair, data);
   else
-    scenes_->show_pair(pair, clouds);
+    view_->show_message(tr("Pair %1 comes from LiDAR poses: there are no scans to show.").arg(pair));
   window_.tell(idle_text(workbench_));
 }
 

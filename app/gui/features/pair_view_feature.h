@@ -34,7 +34,7 @@ class PairViewFeature : public Feature {
   void connect_selection();
   void show_obstacles();
   void show_selected(std::optional<motion::PairIndex> pair);
-  void show_clouds(motion::PairIndex pair, const CloudsPtr& clouds);
+  void show_scans(motion::PairIndex pair, const scene::PairSceneDataPtr& data);
   QString scan_name_of(motion::KeyframeIndex keyframe) const;
   QString caption(motion::PairIndex pair) const;
 

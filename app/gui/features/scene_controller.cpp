@@ -18,22 +18,11 @@ JobRunner::Failed SceneController::report_failure() {
   };
 }
 
-void SceneController::show_pair(motion::PairIndex pair, const CloudsPtr& clouds) {
-  forget_pair();
-  if (!pair_view_.has_gl()) return;
+void SceneController::show_pair(motion::PairIndex pair, const scene::PairSceneDataPtr& data) {
+  forget_clouds();
+  if (!pair_view_.has_gl() || !workbench_.outcome().output()) return;
   face_forward();
-  auto job = std::make_shared<int>(0);
-  pair_job_ = jobs_.start(
-      [this, job, pair, clouds](Progress& progress) -> JobRunner::Deliver {
-        scene::PairSceneDataPtr data = scene::prepare_pair_scene(clouds, progress);
-        return [this, job, pair, data] {
-          if (!data || *job != pair_job_ || workbench_.selection().pair() != pair || !workbench_.outcome().output())
-            return;
-          pair_view_.show_pair(caption_(pair), data, transforms(pair));
-        };
-      },
-      report_failure());
-  *job = pair_job_;
+  pair_view_.show_pair(caption_(pair), data, transforms(pair));
 }
 
 void SceneController::face_forward() {
@@ -44,26 +33,26 @@ void SceneController::face_forward() {
 
 void SceneController::show_clouds(const QString& caption, const CloudsPtr& clouds,
                                   const scene::PairTransforms& transforms) {
-  forget_pair();
+  forget_clouds();
   candidate_.reset();
   name_candidate();
   if (!pair_view_.has_gl()) return;
   face_forward();
   auto job = std::make_shared<int>(0);
-  pair_job_ = jobs_.start(
+  clouds_job_ = jobs_.start(
       [this, job, caption, clouds, transforms](Progress& progress) -> JobRunner::Deliver {
         scene::PairSceneDataPtr data = scene::prepare_pair_scene(clouds, progress);
         return [this, job, caption, data, transforms] {
-          if (data && *job == pair_job_) pair_view_.show_pair(caption, data, transforms);
+          if (data && *job == clouds_job_) pair_view_.show_pair(caption, data, transforms);
         };
       },
       report_failure());
-  *job = pair_job_;
+  *job = clouds_job_;
 }
 
-void SceneController::forget_pair() {
-  jobs_.cancel(pair_job_);
-  pair_job_ = 0;
+void SceneController::forget_clouds() {
+  jobs_.cancel(clouds_job_);
+  clouds_job_ = 0;
 }
 
 void SceneController::refresh() {
@@ -95,7 +84,10 @@ scene::PairTransforms SceneController::transforms(motion::PairIndex pair) const 
   const OutputPtr output = workbench_.outcome().output();
   const RigidTransform* const candidate =
       !candidate_ ? nullptr : &output->result.candidates.at(*candidate_).ins_from_lidar;
-  return scene::pair_transforms(*output, pair, candidate);
+  scene::PairTransforms transforms = scene::pair_transforms(*output, pair, candidate);
+  const RigidTransform vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(workbench_.sessions().all()));
+  transforms.up_in_view = vehicle_from_ins.linear().transpose() * Eigen::Vector3d::UnitZ();
+  return transforms;
 }
 
 void SceneController::start_distances(const widgets::DistanceRequest& request) {

@@ -43,7 +43,9 @@ Engine model_engine() {
   return {open,
           methods::calibrate,
           pipeline::solve_again,
-          pipeline::load_pair_clouds,
+          [](const pipeline::PipelineInput& input, std::shared_ptr<const pipeline::PipelineOutput> output) {
+            return std::make_shared<const pipeline::SolvedPairs>(input, std::move(output));
+          },
           pipeline::solve_at_once,
           pipeline::load_map_scans,
           pipeline::load_keyframe_scan,

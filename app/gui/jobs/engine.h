@@ -6,6 +6,7 @@
 
 #include "model/drive/topic_offer.h"
 #include "model/pipeline/hold_out.h"
+#include "model/pipeline/pair_clouds.h"
 #include "model/pipeline/pipeline.h"
 #include "model/rig/recorded_lidars.h"
 #include "model/rig/rig_calibration.h"
@@ -17,9 +18,10 @@ struct Engine {
   std::function<pipeline::PipelineOutput(const pipeline::PipelineInput&, Progress&)> run;
   std::function<bool(const pipeline::PipelineInput&, pipeline::PipelineOutput&, Progress&)>
       solve_again;  ///< false: cancelled
-  std::function<pipeline::PairClouds(const pipeline::PipelineInput&, const pipeline::PipelineOutput&,
-                                     motion::PairIndex)>
-      load_pair_clouds;
+  /// Where the scans of an output's pairs come from.
+  std::function<std::shared_ptr<const pipeline::PairSource>(const pipeline::PipelineInput&,
+                                                            std::shared_ptr<const pipeline::PipelineOutput>)>
+      open_pairs;
   /// The first answer after a decision (solve_at_once); may be empty.
   std::function<bool(const pipeline::PipelineInput&, pipeline::PipelineOutput&, const Progress&)> solve_at_once;
   /// May be empty: then there are no maps.
@@ -56,7 +58,7 @@ struct Engine {
 pipeline::PipelineOutput run_without_map_check(const Engine& engine, const pipeline::PipelineInput& input,
                                                Progress& progress);
 
-/// The model's own: open_session, calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
+/// The model's own: open_session, calibrate, solve_again, SolvedPairs, solve_at_once, load_map_scans,
 /// load_keyframe_scan, check_hold_out, check_map, offer_topics, same_recording, find_lidars, calibrate_rig,
 /// solve_rig_again, load_cross_clouds.
 Engine model_engine();

@@ -38,6 +38,10 @@ void Docks::place(const Placed& placed) {
   if (before.empty()) return;
   if (placed.spec.arrangement == DockSpec::Arrangement::Beside)
     return window_.splitDockWidget(before.back()->dock, placed.dock, Qt::Horizontal);
+  if (placed.spec.arrangement == DockSpec::Arrangement::BehindLast) {
+    window_.tabifyDockWidget(before.back()->dock, placed.dock);
+    return before.back()->dock->raise();
+  }
   // One after the other: all beside each other would widen the window. What stands beside has none behind it.
   const auto last = std::find_if(before.rbegin(), before.rend(), [](const Placed* one) {
     return one->spec.arrangement == DockSpec::Arrangement::Behind;
@@ -69,6 +73,11 @@ std::vector<QDockWidget*> Docks::all() const {
   for (const auto area : kAreas)
     for (const Placed* placed : of(area)) docks.push_back(placed->dock);
   return docks;
+}
+
+bool Docks::is_for_review(const QDockWidget& dock) const {
+  return std::any_of(placed_.begin(), placed_.end(),
+                     [&](const Placed& placed) { return placed.dock == &dock && placed.spec.for_review; });
 }
 
 void Docks::arrange() {

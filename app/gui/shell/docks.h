@@ -14,9 +14,10 @@ struct DockSpec {
   QWidget* content = nullptr;
   Qt::DockWidgetArea area = Qt::BottomDockWidgetArea;  ///< left, right or bottom
   QString help_page;                                   ///< its name in resources/help
-  /// The first of an area is seen; others lie behind it, or stand beside the one before.
-  enum class Arrangement { Behind, Beside } arrangement = Arrangement::Behind;
+  /// The first of an area is seen; others lie behind it, stand beside the one before, or lie behind that.
+  enum class Arrangement { Behind, Beside, BehindLast } arrangement = Arrangement::Behind;
   int width = 0, height = 0;  ///< at first, px; 0: what is left
+  bool for_review = false;    ///< seen while pairs are judged, when there is room for little else
 };
 
 class Docks : public QObject {
@@ -26,6 +27,7 @@ class Docks : public QObject {
   QDockWidget* add(const DockSpec& spec);
   /// By area, in the order in which they came.
   std::vector<QDockWidget*> all() const;
+  bool is_for_review(const QDockWidget& dock) const;
   void arrange();  ///< sizes and what is in front, as at first
 
  private:

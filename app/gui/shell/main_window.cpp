@@ -20,16 +20,14 @@
 #include "widgets/basics/shrinking_area.h"
 
 namespace remount::gui {
-namespace {
-constexpr int kLayoutVersion = 3;
-}  // namespace
-
 MainWindow::MainWindow(Workbench& workbench, const std::vector<MakeFeature>& features, QWidget* parent)
     : QMainWindow(parent),
       workbench_(workbench),
       menus_(new Menus(*menuBar())),
       keys_(new KeyBindings(*this)),
       docks_(new Docks(*this)),
+      full_screen_(new FullScreen(*this)),
+      workspaces_(new Workspaces(*this, *docks_)),
       turns_(new TurnQueue(this)) {
   setWindowTitle(tr("Remount"));
   setAcceptDrops(true);
@@ -106,12 +104,19 @@ void MainWindow::make_view_menu() {
                                            shown->look(named.view);
                                        }));
   for (const ViewSpec& spec : shown_views_) {
-    spec.view->set_view_actions(actions);
+    if (auto* view = qobject_cast<widgets::SceneView*>(spec.view)) view->set_view_actions(actions);
     keys_->bind(spec.action_id, menus_->add(MenuPlace::ViewTabs, spec.action_text, spec.key,
                                             [this, view = spec.view] { show_view(*view); }));
   }
   for (QDockWidget* dock : docks_->all()) menus_->add(MenuPlace::ViewDocks, dock->toggleViewAction());
-  menus_->add(MenuPlace::ViewLayout, tr("&Reset layout"), {}, [this] { reset_layout(); });
+  QAction* full = menus_->add(MenuPlace::ViewLayout, tr("F&ull screen"), QKeySequence(Qt::Key_F11), [] {});
+  full->setCheckable(true);
+  connect(full, &QAction::toggled, this, &MainWindow::set_full_screen);
+  menus_->add(MenuPlace::ViewLayout, tr("&Everything"), tr("Ctrl+Shift+E"),
+              [this] { workspaces_->go_to(Workspace::All); });
+  menus_->add(MenuPlace::ViewLayout, tr("Re&view of pairs"), tr("Ctrl+Shift+R"),
+              [this] { workspaces_->go_to(Workspace::Review); });
+  menus_->add(MenuPlace::ViewLayout, tr("&Reset layout"), {}, [this] { workspaces_->reset(); });
   add_language_menu();
 }
 
@@ -140,11 +145,11 @@ void MainWindow::add_view(const ViewSpec& spec) {
   shown_views_.push_back(spec);
 }
 
-void MainWindow::show_view(widgets::SceneView& view) { views_->setCurrentWidget(&view); }
+void MainWindow::show_view(QWidget& view) { views_->setCurrentWidget(&view); }
 
-void MainWindow::offer_view(widgets::SceneView& view, bool offered) {
-  views_->setTabVisible(views_->indexOf(&view), offered);
-}
+void MainWindow::show_first_view() { views_->setCurrentIndex(0); }
+
+void MainWindow::offer_view(QWidget& view, bool offered) { views_->setTabVisible(views_->indexOf(&view), offered); }
 
 void MainWindow::add_banner(QWidget* banner) { column_->insertWidget(column_->indexOf(centre_), banner); }
 
@@ -153,6 +158,7 @@ void MainWindow::set_welcome(QWidget* welcome) { welcome_page_->setWidget(welcom
 void MainWindow::on_step(widgets::Step step, const std::function<void()>& go) { step_answers_.emplace(step, go); }
 
 void MainWindow::go_to_step(widgets::Step step) {
+  workspaces_->go_to(step == widgets::Step::Review ? Workspace::Review : Workspace::All);
   const auto [first, last] = step_answers_.equal_range(step);
   for (auto answer = first; answer != last; ++answer) answer->second();
 }
@@ -164,18 +170,16 @@ QString MainWindow::help_page_of(const QWidget* widget) const {
 }
 
 void MainWindow::restore_layout() {
-  standard_layout_ = saveState(kLayoutVersion);
+  if (remembers()) restoreGeometry(QSettings().value("window/geometry").toByteArray());
+  workspaces_->restore();
   if (!remembers()) return;
-  const QSettings settings;
-  restoreGeometry(settings.value("window/geometry").toByteArray());
-  restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
   resize(widgets::within_screen(*this, size()));  // the screen may be another
 }
 
-void MainWindow::reset_layout() {
-  restoreState(standard_layout_, kLayoutVersion);
-  for (QDockWidget* dock : docks_->all()) dock->show();
-  docks_->arrange();
+/// Keys stay as they are: pairs are looked through and decided about without a table beside them.
+void MainWindow::set_full_screen(bool on) {
+  full_screen_->set(on);
+  if (QWidget* view = views_->currentWidget()) view->setFocus();
 }
 
 void MainWindow::show_output() {
@@ -234,9 +238,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   for (const auto& feature : features_)
     if (!feature->may_close(again)) return event->ignore();
   if (remembers()) {
-    QSettings settings;
-    settings.setValue("window/geometry", saveGeometry());
-    settings.setValue("window/state", saveState(kLayoutVersion));
+    full_screen_->set(false);
+    QSettings().setValue("window/geometry", saveGeometry());
+    workspaces_->remember();
   }
   workbench_.jobs().cancel_all();
   for (const auto& feature : features_) feature->finish();

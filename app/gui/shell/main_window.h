@@ -8,8 +8,10 @@
 
 #include "app/gui/shell/docks.h"
 #include "app/gui/shell/feature.h"
+#include "app/gui/shell/full_screen.h"
 #include "app/gui/shell/key_bindings.h"
 #include "app/gui/shell/menus.h"
+#include "app/gui/shell/workspaces.h"
 #include "app/gui/workbench/workbench.h"
 #include "widgets/basics/scene_view.h"
 #include "widgets/shell/step_bar.h"
@@ -29,7 +31,7 @@ struct WindowHandover {
 
 /// A view in the middle of the window.
 struct ViewSpec {
-  widgets::SceneView* view = nullptr;
+  QWidget* view = nullptr;
   QString title;
   QString help_page;
   QString action_id, action_text;  ///< of the action that shows it
@@ -57,10 +59,11 @@ class MainWindow : public QMainWindow {
   KeyBindings& keys() const { return *keys_; }
   QDockWidget* add_dock(const DockSpec& spec);
   void add_view(const ViewSpec& spec);
-  void show_view(widgets::SceneView& view);
-  void offer_view(widgets::SceneView& view, bool offered);  ///< its tab: there is something that it can show
-  void add_banner(QWidget* banner);                         ///< above the views
-  void set_welcome(QWidget* welcome);                       ///< in their place while no session is open
+  void show_view(QWidget& view);
+  void show_first_view();
+  void offer_view(QWidget& view, bool offered);  ///< its tab: there is something that it can show
+  void add_banner(QWidget* banner);              ///< above the views
+  void set_welcome(QWidget* welcome);            ///< in their place while no session is open
   /// What the step bar leads to; several features may answer.
   void on_step(widgets::Step step, const std::function<void()>& go);
   void go_to_step(widgets::Step step);
@@ -91,7 +94,7 @@ class MainWindow : public QMainWindow {
   void make_view_menu();
   void add_language_menu();
   void restore_layout();
-  void reset_layout();
+  void set_full_screen(bool on);
   void show_output();
   void show_state();
 
@@ -99,6 +102,8 @@ class MainWindow : public QMainWindow {
   Menus* menus_;
   KeyBindings* keys_;
   Docks* docks_;
+  FullScreen* full_screen_;
+  Workspaces* workspaces_;
   TurnQueue* turns_;  // what follows when the output has changed
   widgets::StepBar* steps_ = nullptr;
   QVBoxLayout* column_ = nullptr;
@@ -109,7 +114,6 @@ class MainWindow : public QMainWindow {
   QList<QAction*> undo_actions_;  // undo, redo
   std::multimap<widgets::Step, std::function<void()>> step_answers_;
   std::map<const QWidget*, QString> help_pages_;
-  QByteArray standard_layout_;
   std::vector<std::unique_ptr<Feature>> features_;
 };
 

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "model/pipeline/pipeline.h"
+#include "model/pipeline/pair_clouds.h"
 #include "model/results/result_file.h"
 
 namespace remount::gui {

@@ -30,6 +30,7 @@ ProjectSnapshot ProjectDocument::snapshot() const {
     snapshot.project.topics.push_back(session->topic_choice);
   }
   snapshot.project.verdicts = workbench_.decisions().verdicts();
+  snapshot.project.notes = workbench_.review_notes().saved();
   snapshot.project.settings = setup.settings();
   snapshot.project.nominal_ins_from_lidar = setup.nominal_ins_from_lidar();
   if (outcome.output()) snapshot.project.basis = project::basis_of(outcome.input());
@@ -199,6 +200,7 @@ void ProjectDocument::restore(std::vector<SessionPtr> sessions, const project::P
   workbench_.setup().put(project.settings, project.nominal_ins_from_lidar);
   put_outcome(project, std::move(output));
   workbench_.decisions().put_saved(project.verdicts);
+  workbench_.review_notes().put_saved(project.notes);
   workbench_.vehicle().restore(project, std::move(other_lidars));
   if (outcome.output() && outcome.whole() && results::is_aligned_together(outcome.output()->result))
     outcome.take_whole_run(workbench_.decisions().made());

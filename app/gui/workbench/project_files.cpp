@@ -36,14 +36,19 @@ project::HolderLock::Attempt take_lock(const QString& project, const LockPtr& pr
   return attempt;
 }
 
-/// Verdicts name sessions by number: of those that are left.
+/// They name sessions by number: of those that are left.
+template <class OfSession>
+void leave_those_of_missing(const std::vector<std::optional<motion::SessionIndex>>& places,
+                            std::vector<OfSession>& all) {
+  std::erase_if(all, [&](const OfSession& one) { return one.session >= places.size() || !places[one.session]; });
+  for (OfSession& one : all) one.session = *places[one.session];
+}
+
 void leave_verdicts_of_missing(const std::vector<SessionPtr>& sessions, project::Project& project) {
   const auto places = places_of_rest<motion::SessionIndex>(
       sessions.size(), [&](motion::SessionIndex i) { return sessions[i] != nullptr; });
-  std::erase_if(project.verdicts, [&](const pipeline::PairVerdict& verdict) {
-    return verdict.session >= places.size() || !places[verdict.session];
-  });
-  for (pipeline::PairVerdict& verdict : project.verdicts) verdict.session = *places[verdict.session];
+  leave_those_of_missing(places, project.verdicts);
+  leave_those_of_missing(places, project.notes);
 }
 
 /// They are of the same recordings, wherever these were found: none of them where one is missing.

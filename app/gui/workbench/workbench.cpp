@@ -12,9 +12,11 @@ Workbench::Parts::Parts(Workbench& workbench, std::unique_ptr<LockKeeper> locks)
       overviews(desk, sessions),
       outcome(desk),
       selection(desk, outcome),
+      pair_scenes(desk, outcome, selection),
       input_files(desk, outcome),
       map_checks(desk, outcome),
       decisions(desk, sessions, outcome),
+      review_notes(desk, sessions, outcome),
       solutions(desk, setup, outcome, decisions, map_checks),
       calibrations(desk, {sessions, setup, outcome, decisions, selection, input_files, map_checks, solutions}),
       session_edits(desk, sessions, setup, outcome, decisions, calibrations),
@@ -31,8 +33,8 @@ Workbench::Workbench(Engine engine, std::unique_ptr<LockKeeper> locks, QObject* 
       parts_(std::make_unique<Parts>(*this, std::move(locks))) {
   connect(&activity(), &Activity::changed, this, &Workbench::state_changed);
   for (const WorkbenchPart* part : std::initializer_list<const WorkbenchPart*>{
-           &setup(), &sessions(), &overviews(), &outcome(), &selection(), &input_files(), &map_checks(), &decisions(),
-           &solutions(), &calibrations(), &session_edits(), &vehicle(), &document()})
+           &setup(), &sessions(), &overviews(), &outcome(), &selection(), &pair_scenes(), &input_files(), &map_checks(),
+           &decisions(), &review_notes(), &solutions(), &calibrations(), &session_edits(), &vehicle(), &document()})
     listen(*part);
 }
 

@@ -6,7 +6,9 @@
 
 #include "app/gui/workbench/calibrations.h"
 #include "app/gui/workbench/drive_overviews.h"
+#include "app/gui/workbench/pair_scenes.h"
 #include "app/gui/workbench/project_document.h"
+#include "app/gui/workbench/review_notes.h"
 #include "app/gui/workbench/session_edits.h"
 #include "app/gui/workbench/vehicle.h"
 
@@ -31,9 +33,11 @@ class Workbench : public QObject {
   DriveOverviews& overviews() const { return parts_->overviews; }
   Outcome& outcome() const { return parts_->outcome; }
   Selection& selection() const { return parts_->selection; }
+  PairScenes& pair_scenes() const { return parts_->pair_scenes; }
   InputFiles& input_files() const { return parts_->input_files; }
   MapChecks& map_checks() const { return parts_->map_checks; }
   Decisions& decisions() const { return parts_->decisions; }
+  ReviewNotes& review_notes() const { return parts_->review_notes; }
   Solutions& solutions() const { return parts_->solutions; }
   Calibrations& calibrations() const { return parts_->calibrations; }
   SessionEdits& session_edits() const { return parts_->session_edits; }
@@ -58,9 +62,11 @@ class Workbench : public QObject {
     DriveOverviews overviews;
     Outcome outcome;
     Selection selection;
+    PairScenes pair_scenes;
     InputFiles input_files;
     MapChecks map_checks;
     Decisions decisions;
+    ReviewNotes review_notes;
     Solutions solutions;
     Calibrations calibrations;
     SessionEdits session_edits;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
-#include "model/pipeline/pipeline.h"
+#include "model/pipeline/pair_clouds.h"
 #include "model/results/deciding_notes.h"
 #include "model/simulator/patterns/lidar_models.h"
 #include "model/simulator/simulator.h"
@@ -73,14 +73,15 @@ TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
   EXPECT_GT(doubted.result.estimate(calibration::Parameter::Z).sigma.value_or(0.0), 0.8 * z.sigma.value_or(1.0));
   const cloud::PointCloud recorded =
       run.drive.session.scans->load(static_cast<std::size_t>(run.output.keyframes[motion::KeyframeIndex(0)].scan));
-  const PairClouds shown = load_pair_clouds(run.input, run.output, motion::PairIndex(0));
-  ASSERT_EQ(shown.cloud_a.size(), recorded.size());
+  const PairClouds shown =
+      SolvedPairs(run.input, std::make_shared<PipelineOutput>(run.output)).load(motion::PairIndex(0), {});
+  ASSERT_EQ(shown.cloud_a().size(), recorded.size());
   double raised_rad = 0.0;
   const auto elevation = [](const Eigen::Vector3f& point) {
     return std::atan2(point.z(), std::hypot(point.x(), point.y()));
   };
   for (std::size_t i = 0; i < recorded.size(); ++i)
-    raised_rad += elevation(shown.cloud_a.points[i]) - elevation(recorded.points[i]);
+    raised_rad += elevation(shown.cloud_a().points[i]) - elevation(recorded.points[i]);
   EXPECT_NEAR(radians_to_degrees(raised_rad / static_cast<double>(recorded.size())), 0.2, 0.1);
 }
 

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
-#include "model/pipeline/pipeline.h"
+#include "model/pipeline/pair_clouds.h"
 
 namespace remount::pipeline {
 namespace {
@@ -253,7 +253,7 @@ TEST(scan_store, points_within_a_box_are_left_out) {
 }
 
 // What the window shows of a pair is what was aligned: whether by the sweep is remembered, not judged anew.
-TEST(load_pair_clouds, compensates_as_the_calibration_did) {
+TEST(solved_pairs, compensate_as_the_calibration_did) {
   const StoredDrive drive(drive::ScanTiming::SweepAzimuth);
   PipelineInput input;
   input.sessions = {drive.session};
@@ -266,10 +266,14 @@ TEST(load_pair_clouds, compensates_as_the_calibration_did) {
   output.session_uses_sweep = {false};
   output.findings.push_back(
       {drive::Severity::Note, "deskew-on", std::string("drive"), Message::verbatim("in words only")});
-  EXPECT_GT(worst_error_m(load_pair_clouds(input, output, motion::PairIndex{0}).cloud_b), 0.4);
+  EXPECT_GT(worst_error_m(
+                SolvedPairs(input, std::make_shared<PipelineOutput>(output)).load(motion::PairIndex{0}, {}).cloud_b()),
+            0.4);
   output.session_uses_sweep = {true};
   output.findings[0].code = "deskew-off";
-  EXPECT_LT(worst_error_m(load_pair_clouds(input, output, motion::PairIndex{0}).cloud_b), 0.05);
+  EXPECT_LT(worst_error_m(
+                SolvedPairs(input, std::make_shared<PipelineOutput>(output)).load(motion::PairIndex{0}, {}).cloud_b()),
+            0.05);
 }
 
 // Under the true mounting every scan of the map lies on the one floor there is.

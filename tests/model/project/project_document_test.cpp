@@ -15,7 +15,8 @@ TEST(project_document, the_full_project_leaves_no_member_as_it_is_from_the_first
                            "output.evidence.session_sweeps.by_times"};
   Names all = of_other_use;
   for (const std::string& name : of_other_use) all.insert("other_lidars.job." + name);
-  for (const char* none : {"other_lidars.job.other_lidars", "other_lidars.job.together"}) all.insert(none);
+  for (const char* none : {"other_lidars.job.other_lidars", "other_lidars.job.together", "other_lidars.job.notes"})
+    all.insert(none);
   EXPECT_EQ(testing::members_not_set(testing::full_project("/data")), all)
       << "of sweeps that a reader suspects and of trials, and what only a calibration hands on";
 }

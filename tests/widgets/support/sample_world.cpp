@@ -116,6 +116,47 @@ calibration::ResultDifference sample_difference(double yaw_sigmas) {
   return out;
 }
 
+class SamplePairs : public pipeline::PairSource {
+ public:
+  SamplePairs(pipeline::PipelineInput input, std::shared_ptr<const pipeline::PipelineOutput> output)
+      : input_(std::move(input)), output_(std::move(output)) {}
+  pipeline::PairClouds load(motion::PairIndex pair, const Progress&) const override {
+    const motion::Pair& chosen = output_->pairs.at(pair);
+    pipeline::KeyframeScan scan_a, scan_b;
+    pipeline::PairClouds clouds;
+    scan_a.cloud = input_.sessions.at(0)->scans->load(output_->keyframes[chosen.keyframe_a].scan);
+    scan_b.cloud = input_.sessions.at(0)->scans->load(output_->keyframes[chosen.keyframe_b].scan);
+    for (int i = 0; i < 4; ++i) {
+      cloud::SceneObject b;
+      b.centroid_in_lidar = Eigen::Vector3f(6.0F * i - 9.0F, i % 2 ? 8.0F : -8.0F, 0.0F);
+      b.box_min_in_lidar = b.centroid_in_lidar - Eigen::Vector3f(0.4F, 0.4F, 1.5F);
+      b.box_max_in_lidar = b.centroid_in_lidar + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
+      for (std::size_t k = 0; k < scan_b.cloud.size(); ++k)
+        if ((scan_b.cloud.points[k] - b.centroid_in_lidar).norm() < 2.5F) b.points.push_back(static_cast<int>(k));
+      cloud::SceneObject a = b;
+      a.points.clear();
+      const Eigen::Vector3f in_a =
+          (chosen.lidar_b_from_lidar_a.inverse() * b.centroid_in_lidar.cast<double>()).cast<float>();
+      a.centroid_in_lidar = in_a;
+      a.box_min_in_lidar = in_a - Eigen::Vector3f(0.4F, 0.4F, 1.5F);
+      a.box_max_in_lidar = in_a + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
+      scan_a.objects.push_back(a);
+      scan_b.objects.push_back(b);
+      clouds.matches.push_back({index_at(i), index_at(i), i == 3, i == 3 ? 1.2 : 0.05});
+    }
+    clouds.scan_a = std::make_shared<const pipeline::KeyframeScan>(std::move(scan_a));
+    clouds.scan_b = std::make_shared<const pipeline::KeyframeScan>(std::move(scan_b));
+    return clouds;
+  }
+  bool serves(const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output) const override {
+    return input.sessions == input_.sessions && output.pairs.size() == output_->pairs.size();
+  }
+
+ private:
+  pipeline::PipelineInput input_;
+  std::shared_ptr<const pipeline::PipelineOutput> output_;
+};
+
 }  // namespace
 
 cloud::PointCloud street_cloud(const RigidTransform& world_from_lidar, int seed) {
@@ -259,31 +300,8 @@ gui::Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> ho
     solve(output);
     return true;
   };
-  engine.load_pair_clouds = [](const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
-                               motion::PairIndex pair) {
-    const motion::Pair& chosen = output.pairs.at(pair);
-    pipeline::PairClouds clouds;
-    clouds.cloud_a = input.sessions.at(0)->scans->load(output.keyframes[chosen.keyframe_a].scan);
-    clouds.cloud_b = input.sessions.at(0)->scans->load(output.keyframes[chosen.keyframe_b].scan);
-    for (int i = 0; i < 4; ++i) {
-      cloud::SceneObject b;
-      b.centroid_in_lidar = Eigen::Vector3f(6.0F * i - 9.0F, i % 2 ? 8.0F : -8.0F, 0.0F);
-      b.box_min_in_lidar = b.centroid_in_lidar - Eigen::Vector3f(0.4F, 0.4F, 1.5F);
-      b.box_max_in_lidar = b.centroid_in_lidar + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
-      for (std::size_t k = 0; k < clouds.cloud_b.size(); ++k)
-        if ((clouds.cloud_b.points[k] - b.centroid_in_lidar).norm() < 2.5F) b.points.push_back(static_cast<int>(k));
-      cloud::SceneObject a = b;
-      a.points.clear();
-      const Eigen::Vector3f in_a =
-          (chosen.lidar_b_from_lidar_a.inverse() * b.centroid_in_lidar.cast<double>()).cast<float>();
-      a.centroid_in_lidar = in_a;
-      a.box_min_in_lidar = in_a - Eigen::Vector3f(0.4F, 0.4F, 1.5F);
-      a.box_max_in_lidar = in_a + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
-      clouds.objects_a.push_back(a);
-      clouds.objects_b.push_back(b);
-      clouds.matches.push_back({index_at(i), index_at(i), i == 3, i == 3 ? 1.2 : 0.05});
-    }
-    return clouds;
+  engine.open_pairs = [](const pipeline::PipelineInput& input, std::shared_ptr<const pipeline::PipelineOutput> output) {
+    return std::make_shared<const SamplePairs>(input, std::move(output));
   };
   engine.load_map_scans = [](const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
                              motion::SessionIndex session, std::size_t most, Progress& progress) {
