@@ -373,6 +373,14 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
 
 void SceneView::palette_changed() { stage_->set_dark(is_dark(palette())); }
 
+/// The rows of buttons stand beside each other where that leaves the picture more room.
+void SceneView::resizeEvent(QResizeEvent* event) {
+  int together_px = 0;
+  for (int row = 0; row < rows_layout_->count(); ++row) together_px += rows_layout_->itemAt(row)->minimumSize().width();
+  rows_layout_->setDirection(together_px + 20 < width() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  QWidget::resizeEvent(event);
+}
+
 void SceneView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && stage_) {
     palette_changed();

@@ -83,6 +83,7 @@ class SceneView : public QWidget {
   void clear_marks();
 
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
