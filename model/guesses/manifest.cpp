@@ -256,13 +256,15 @@ class ManifestWriter {
           .comment = said;
       return;
     }
-    const char* unit = layout.position_unit_rad == 1.0 ? "rad" : "deg";
-    for (const auto& [key, ref] : {std::pair("latitude", layout.latitude), {"longitude", layout.longitude}}) {
+    const auto add = [&](const char* key, const ColumnRef& ref, const std::optional<ColumnRef>& side) -> DocumentNode& {
       DocumentNode& node = columns.add(key, one_line());
-      if (key == std::string_view("latitude")) node.comment = said;
       add_named(ref, node);
-      node.add("unit", DocumentNode::string(unit));
-    }
+      node.add("unit", DocumentNode::string(std::string(to_string(layout.position_unit))));
+      if (side) node.add("side", column(*side));
+      return node;
+    };
+    add("latitude", layout.latitude, layout.latitude_side).comment = said;
+    add("longitude", layout.longitude, layout.longitude_side);
     DocumentNode& height = columns.add("height", one_line());
     add_named(layout.height, height);
     height.add("unit", DocumentNode::string("m"));

@@ -5233,14 +5233,6 @@ Everything else works.</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>position in degrees</source>
-        <translation>位置以度计</translation>
-    </message>
-    <message>
-        <source>position in radians</source>
-        <translation>位置以弧度计</translation>
-    </message>
-    <message>
         <source>angles in degrees</source>
         <translation>角度以度计</translation>
     </message>
@@ -5271,6 +5263,26 @@ Everything else works.</source>
     <message>
         <source>roll as usual</source>
         <translation>横滚不反向</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>弧度</translation>
+    </message>
+    <message>
+        <source>degrees and minutes (ddmm.mmmm)</source>
+        <translation>度与分连写（ddmm.mmmm）</translation>
+    </message>
+    <message>
+        <source>ten-millionths of a degree</source>
+        <translation>千万分之一度</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>position in %1</source>
+        <translation>位置单位为%1</translation>
     </message>
 </context>
 <context>

@@ -36,8 +36,8 @@ class RowParser {
     rows_.part();
     motion::InsSample sample;
     sample.stamp_ns = rows_.stamp_ns();
-    sample.latitude_rad = known(layout_.latitude) * layout_.position_unit_rad;
-    sample.longitude_rad = known(layout_.longitude) * layout_.position_unit_rad;
+    sample.latitude_rad = place(layout_.latitude, layout_.latitude_side, {'N', 'S'});
+    sample.longitude_rad = place(layout_.longitude, layout_.longitude_side, {'E', 'W'});
     sample.height_m = known(layout_.height);
     if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
       rows_.fail(drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
@@ -70,6 +70,21 @@ class RowParser {
     const double value = rows_.number(column);
     if (drive::means_not_known(value)) fail_not_known(column);
     return value;
+  }
+  /// @param letters of the side on which angles are positive, and of the other
+  double place(const ColumnRef& column, const std::optional<ColumnRef>& side, std::pair<char, char> letters) const {
+    // Whole numbers are as large as those that elsewhere stand for a missing one; what is none lies far from the
+    // others.
+    const bool large = layout_.position_unit == PlaceUnit::TenMillionths;
+    const double number = large ? rows_.number(column) : known(column),
+                 angle_rad = place_rad(number, layout_.position_unit);
+    if (std::isnan(angle_rad)) rows_.fail(say::ins_minutes(rows_.label(column), minutes_of_place(number)));
+    if (!side) return angle_rad;
+    const std::string text(trim(rows_.field(*side)).substr(0, 40));
+    const char letter = text.size() == 1 ? static_cast<char>(text[0] & ~0x20) : '\0';
+    if (letter != letters.first && letter != letters.second)
+      rows_.fail(say::ins_side(rows_.label(*side), text, std::string{letters.first}, std::string{letters.second}));
+    return letter == letters.first ? angle_rad : -std::abs(angle_rad);
   }
   double angle(const ColumnRef& column) const {
     const double value = rows_.number(column);
@@ -126,6 +141,8 @@ std::vector<ColumnRef> all_columns_of(const InsTableLayout& layout) {
     columns.insert(columns.end(), layout.metric_position->begin(), layout.metric_position->end());
   else
     columns.insert(columns.end(), {layout.latitude, layout.longitude, layout.height});
+  for (const auto* side : {&layout.latitude_side, &layout.longitude_side})
+    if (*side) columns.push_back(**side);
   if (layout.quality) columns.push_back(*layout.quality);
   if (layout.quaternion)
     columns.insert(columns.end(), layout.quaternion_xyzw.begin(), layout.quaternion_xyzw.end());

@@ -12,6 +12,7 @@
 #include "model/drive/attitude_convention.h"
 #include "model/drive/session.h"
 #include "model/formats/files/declared_table.h"
+#include "model/formats/ins/place_unit.h"
 
 namespace remount::formats {
 
@@ -19,7 +20,9 @@ namespace remount::formats {
 struct InsTableLayout : TimeColumns {
   TableText text;
   ColumnRef latitude, longitude, height;
-  double position_unit_rad = 1.0;  ///< radians in one unit of latitude and longitude
+  PlaceUnit position_unit = PlaceUnit::Radians;  ///< of latitude and longitude
+  /// Columns with N or S, with E or W, beside numbers that have no sign.
+  std::optional<ColumnRef> latitude_side, longitude_side;
   drive::AttitudeConvention attitude = drive::AttitudeConvention::EnuYaw;
   double attitude_unit_rad = 1.0;  ///< radians in one unit of the angles and their sigma
   std::array<ColumnRef, 3> yaw_pitch_roll;

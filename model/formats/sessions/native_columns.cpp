@@ -17,6 +17,13 @@ double angle_unit(const DocumentView& node) {
   return choice<double>(node.at("unit"), {{"deg", kPi / 180.0}, {"rad", 1.0}});
 }
 
+PlaceUnit place_unit(const DocumentView& node) {
+  return choice<PlaceUnit>(node.at("unit"), {{"deg", PlaceUnit::Degrees},
+                                             {"rad", PlaceUnit::Radians},
+                                             {"ddmm", PlaceUnit::DegreesMinutes},
+                                             {"1e-7deg", PlaceUnit::TenMillionths}});
+}
+
 ColumnRef named_column(const DocumentView& node) {
   const auto name = node.find("name");
   const auto index = node.find("index");
@@ -25,16 +32,16 @@ ColumnRef named_column(const DocumentView& node) {
 }
 
 void read_position_columns(const DocumentView& columns, InsTableLayout& layout) {
-  double units[2] = {0.0, 0.0};
-  int i = 0;
-  for (const char* key : {"latitude", "longitude"}) {
+  const auto read = [&](const char* key, ColumnRef& column, std::optional<ColumnRef>& side) {
     const DocumentView& node = columns.at(key);
-    node.allow_only({"name", "index", "unit"});
-    units[i] = angle_unit(node);
-    (i++ == 0 ? layout.latitude : layout.longitude) = named_column(node);
-  }
-  if (units[0] != units[1]) columns.fail(say::native_same_unit());
-  layout.position_unit_rad = units[0];
+    node.allow_only({"name", "index", "unit", "side"});
+    column = named_column(node);
+    if (const auto letters = node.find("side")) side = read_column(*letters);
+    return place_unit(node);
+  };
+  layout.position_unit = read("latitude", layout.latitude, layout.latitude_side);
+  if (read("longitude", layout.longitude, layout.longitude_side) != layout.position_unit)
+    columns.fail(say::native_same_unit());
   const DocumentView& height = columns.at("height");
   if (height.is_map()) {
     height.allow_only({"name", "index", "unit"});
