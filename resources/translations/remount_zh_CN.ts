@@ -2950,6 +2950,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>The drive appears here as soon as it is read.</source>
         <translation>读取后在此显示行驶路线。</translation>
     </message>
+    <message>
+        <source>Positions from %1 and attitudes from %2 are joined by their times. There are no columns to choose: what was found, and how sure it is, stands as comments in the session.yaml that is saved.</source>
+        <translation>%1 中的位置与 %2 中的姿态按时间合并。没有需要选择的列：识别结果及其可信程度以注释形式写在所保存的 session.yaml 中。</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::KeysDialog</name>

@@ -36,19 +36,8 @@ class RowParser {
     rows_.part();
     motion::InsSample sample;
     sample.stamp_ns = rows_.stamp_ns();
-    sample.latitude_rad = place(layout_.latitude, layout_.latitude_side, {'N', 'S'});
-    sample.longitude_rad = place(layout_.longitude, layout_.longitude_side, {'E', 'W'});
-    sample.height_m = known(layout_.height);
-    if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
-      rows_.fail(drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
-                     ? say::log_place_exchanged(Angle{kPi / 2.0})
-                     : say::log_place_impossible());
-    sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
-    if (layout_.position_sigma_enu)
-      for (int axis = 0; axis < 3; ++axis)
-        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[index_at(axis)]);
-    if (layout_.attitude_sigma_yaw_pitch_roll)
-      sample.sigma.attitude_rad = attitude_sigma(*layout_.attitude_sigma_yaw_pitch_roll);
+    if (layout_.holds != TableHolds::Attitudes) take_position(sample);
+    if (layout_.holds != TableHolds::Positions) take_attitude(sample);
     if (layout_.quality) sample.quality = quality();
     return sample;
   }
@@ -65,6 +54,24 @@ class RowParser {
   }
 
  private:
+  void take_position(motion::InsSample& sample) {
+    sample.latitude_rad = place(layout_.latitude, layout_.latitude_side, {'N', 'S'});
+    sample.longitude_rad = place(layout_.longitude, layout_.longitude_side, {'E', 'W'});
+    sample.height_m = known(layout_.height);
+    if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+      rows_.fail(drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
+                     ? say::log_place_exchanged(Angle{kPi / 2.0})
+                     : say::log_place_impossible());
+    if (layout_.position_sigma_enu)
+      for (int axis = 0; axis < 3; ++axis)
+        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[index_at(axis)]);
+  }
+  void take_attitude(motion::InsSample& sample) {
+    sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
+    if (layout_.attitude_sigma_yaw_pitch_roll)
+      sample.sigma.attitude_rad = attitude_sigma(*layout_.attitude_sigma_yaw_pitch_roll);
+  }
+
   /// A number that is none of those which stand for a missing one.
   double known(const ColumnRef& column) const {
     const double value = rows_.number(column);
@@ -135,21 +142,32 @@ class RowParser {
   drive::AttitudeAngles logged_;
 };
 
-std::vector<ColumnRef> all_columns_of(const InsTableLayout& layout) {
-  std::vector<ColumnRef> columns = columns_of(layout);
-  if (layout.metric_position)
+void add_position_columns(const InsTableLayout& layout, std::vector<ColumnRef>& columns) {
+  if (layout.metric_position) {
     columns.insert(columns.end(), layout.metric_position->begin(), layout.metric_position->end());
-  else
-    columns.insert(columns.end(), {layout.latitude, layout.longitude, layout.height});
+    return;
+  }
+  columns.insert(columns.end(), {layout.latitude, layout.longitude, layout.height});
   for (const auto* side : {&layout.latitude_side, &layout.longitude_side})
     if (*side) columns.push_back(**side);
-  if (layout.quality) columns.push_back(*layout.quality);
+  if (layout.position_sigma_enu)
+    columns.insert(columns.end(), layout.position_sigma_enu->begin(), layout.position_sigma_enu->end());
+}
+
+void add_attitude_columns(const InsTableLayout& layout, std::vector<ColumnRef>& columns) {
   if (layout.quaternion)
     columns.insert(columns.end(), layout.quaternion_xyzw.begin(), layout.quaternion_xyzw.end());
   else
     columns.insert(columns.end(), layout.yaw_pitch_roll.begin(), layout.yaw_pitch_roll.end());
-  for (const auto* sigma : {&layout.position_sigma_enu, &layout.attitude_sigma_yaw_pitch_roll})
-    if (*sigma) columns.insert(columns.end(), (*sigma)->begin(), (*sigma)->end());
+  if (const auto& sigma = layout.attitude_sigma_yaw_pitch_roll)
+    columns.insert(columns.end(), sigma->begin(), sigma->end());
+}
+
+std::vector<ColumnRef> all_columns_of(const InsTableLayout& layout) {
+  std::vector<ColumnRef> columns = columns_of(layout);
+  if (layout.holds != TableHolds::Attitudes) add_position_columns(layout, columns);
+  if (layout.quality) columns.push_back(*layout.quality);
+  if (layout.holds != TableHolds::Positions) add_attitude_columns(layout, columns);
   return columns;
 }
 
@@ -197,10 +215,28 @@ std::vector<motion::InsSample> parse_ins_table(std::string_view text, const fs::
     samples.push_back(parser.sample());
     logged.push_back(parser.logged_angles());
   });
-  if (!layout.quaternion) check_angle_unit(samples, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
+  if (!layout.quaternion && layout.holds == TableHolds::Motion)
+    check_angle_unit(samples, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
   drive::keep_near(samples, path.string(), findings);
   drive::keep_ascending(samples, "ins", path.string(), findings);
   return samples;
+}
+
+std::vector<StampedAttitude> parse_attitude_table(std::string_view text, const fs::path& path,
+                                                  const InsTableLayout& layout, std::vector<drive::Finding>& findings) {
+  std::vector<motion::InsSample> samples;
+  std::vector<drive::AttitudeAngles> logged;
+  take_rows(text, path, layout, findings, Progress(), [&](RowParser& parser) {
+    samples.push_back(parser.sample());
+    logged.push_back(parser.logged_angles());
+  });
+  // Without positions only what radians cannot be tells of the unit.
+  if (!layout.quaternion) check_angle_unit({}, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
+  drive::keep_ascending(samples, "ins", path.string(), findings);
+  std::vector<StampedAttitude> attitudes;
+  for (const motion::InsSample& sample : samples)
+    attitudes.push_back({sample.stamp_ns, sample.enu_from_ins, sample.sigma.attitude_rad});
+  return attitudes;
 }
 
 std::vector<motion::StampedPose> parse_pose_table(std::string_view text, const fs::path& path,

@@ -192,6 +192,47 @@ InsTableLayout read_pose_layout(const DocumentView& columns) {
   return layout;
 }
 
+namespace {
+
+void read_position_errors(const DocumentView& columns, InsTableLayout& layout) {
+  if (const auto sigma = columns.find("position_sigma_m")) {
+    sigma->allow_only({"east", "north", "up"});
+    layout.position_sigma_enu = {read_column(sigma->at("east")), read_column(sigma->at("north")),
+                                 read_column(sigma->at("up"))};
+  }
+  if (const auto quality = columns.find("quality")) layout.quality = read_column(*quality);
+}
+
+void read_attitude_errors(const DocumentView& columns, InsTableLayout& layout) {
+  const auto sigma = columns.find("attitude_sigma");
+  if (!sigma) return;
+  sigma->allow_only({"yaw", "pitch", "roll"});
+  layout.attitude_sigma_yaw_pitch_roll = {read_column(sigma->at("yaw")), read_column(sigma->at("pitch")),
+                                          read_column(sigma->at("roll"))};
+}
+
+}  // namespace
+
+InsTableLayout read_position_layout(const DocumentView& columns) {
+  columns.allow_only({"time", "latitude", "longitude", "height", "position_sigma_m", "quality"});
+  InsTableLayout layout;
+  layout.holds = TableHolds::Positions;
+  static_cast<TimeColumns&>(layout) = read_time_columns(columns.at("time"));
+  read_position_columns(columns, layout);
+  read_position_errors(columns, layout);
+  return layout;
+}
+
+InsTableLayout read_attitude_layout(const DocumentView& columns) {
+  columns.allow_only({"time", "attitude", "attitude_sigma"});
+  InsTableLayout layout;
+  layout.holds = TableHolds::Attitudes;
+  static_cast<TimeColumns&>(layout) = read_time_columns(columns.at("time"));
+  read_attitude_columns(columns, layout);
+  read_attitude_errors(columns, layout);
+  return layout;
+}
+
 InsTableLayout read_layout(const DocumentView& columns) {
   columns.allow_only(
       {"time", "latitude", "longitude", "height", "attitude", "position_sigma_m", "attitude_sigma", "quality"});
@@ -199,17 +240,8 @@ InsTableLayout read_layout(const DocumentView& columns) {
   static_cast<TimeColumns&>(layout) = read_time_columns(columns.at("time"));
   read_position_columns(columns, layout);
   read_attitude_columns(columns, layout);
-  if (const auto sigma = columns.find("position_sigma_m")) {
-    sigma->allow_only({"east", "north", "up"});
-    layout.position_sigma_enu = {read_column(sigma->at("east")), read_column(sigma->at("north")),
-                                 read_column(sigma->at("up"))};
-  }
-  if (const auto sigma = columns.find("attitude_sigma")) {
-    sigma->allow_only({"yaw", "pitch", "roll"});
-    layout.attitude_sigma_yaw_pitch_roll = {read_column(sigma->at("yaw")), read_column(sigma->at("pitch")),
-                                            read_column(sigma->at("roll"))};
-  }
-  if (const auto quality = columns.find("quality")) layout.quality = read_column(*quality);
+  read_position_errors(columns, layout);
+  read_attitude_errors(columns, layout);
   return layout;
 }
 
