@@ -38,8 +38,8 @@ constexpr std::pair<Quantity, std::string_view> kNames[] = {
     {Quantity::MonthDay, "utcday,dayofmonth,gpsday,日"},
     {Quantity::Hour, "hour,hours,utchour,gpshour,时,小时"},
     {Quantity::Minute, "minute,minutes,utcminute,utcmin,gpsminute,分,分钟"},
-    {Quantity::Latitude, "lat,latitude,poslat,gpslat,gpslatitude,positionlatitude,纬度"},
-    {Quantity::Longitude, "lon,lng,long,longitude,poslon,gpslon,gpslongitude,positionlongitude,经度"},
+    {Quantity::Latitude, "lat,latitude,late7,latitudee7,poslat,gpslat,gpslatitude,positionlatitude,纬度"},
+    {Quantity::Longitude, "lon,lng,long,longitude,lone7,longitudee7,poslon,gpslon,gpslongitude,positionlongitude,经度"},
     {Quantity::Height,
      "hell,h,alt,altitude,posalt,gpsalt,gpsaltitude,positionaltitude,altitudeellipsoid,"
      "altitudehae,height,hgt,hght,ellheight,ellipsoidheight,ellipsoidalheight,"
@@ -90,11 +90,13 @@ constexpr std::pair<Quantity, std::string_view> kNames[] = {
 
 /// Beside those of time (time_unit.h). The last ones are known to be other than what a manifest can say.
 constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
-    {"deg", "deg"},    {"degree", "deg"},  {"degrees", "deg"}, {"\xc2\xb0", "deg"}, {"度", "deg"},  {"rad", "rad"},
-    {"radian", "rad"}, {"radians", "rad"}, {"弧度", "rad"},    {"m", "m"},          {"meter", "m"}, {"meters", "m"},
-    {"metre", "m"},    {"metres", "m"},    {"米", "m"},        {"mm", "mm"},        {"毫米", "mm"}, {"cm", "cm"},
-    {"厘米", "cm"},    {"km", "km"},       {"千米", "km"},     {"公里", "km"},      {"ft", "ft"},   {"feet", "ft"},
-    {"foot", "ft"},    {"英尺", "ft"}};
+    {"deg", "deg"},        {"degree", "deg"},      {"degrees", "deg"},    {"\xc2\xb0", "deg"},   {"度", "deg"},
+    {"rad", "rad"},        {"radian", "rad"},      {"radians", "rad"},    {"弧度", "rad"},       {"m", "m"},
+    {"meter", "m"},        {"meters", "m"},        {"metre", "m"},        {"metres", "m"},       {"米", "m"},
+    {"mm", "mm"},          {"毫米", "mm"},         {"cm", "cm"},          {"厘米", "cm"},        {"km", "km"},
+    {"千米", "km"},        {"公里", "km"},         {"ft", "ft"},          {"feet", "ft"},        {"foot", "ft"},
+    {"英尺", "ft"},        {"e7", "1e-7deg"},      {"1e7", "1e-7deg"},    {"1e7deg", "1e-7deg"}, {"dege7", "1e-7deg"},
+    {"deg1e7", "1e-7deg"}, {"degx1e7", "1e-7deg"}, {"10e7deg", "1e-7deg"}};
 
 /// What stands where a unit would, and is none.
 constexpr std::string_view kNoUnits =
@@ -119,9 +121,18 @@ std::optional<Quantity> named(std::string_view name) {
   return std::nullopt;
 }
 
+/// "ddmm.mmmm", "dddmm.mm": degrees and minutes side by side.
+bool is_degrees_and_minutes(std::string_view word) {
+  const std::size_t degrees = std::min(word.find_first_not_of('d'), word.size());
+  const std::string_view minutes = word.substr(degrees);
+  return (degrees == 2 || degrees == 3) && minutes.size() >= 2 &&
+         minutes.find_first_not_of('m') == std::string_view::npos;
+}
+
 /// "deg" of "degrees"; empty where the word is no unit that is known.
 std::string known_unit(std::string_view word) {
   const std::string name = plain(word);
+  if (is_degrees_and_minutes(name)) return "ddmm";
   if (name == "0001s") return "ms";  // "0.001 s", of Septentrio's converter
   if (const auto unit_ns = formats::time_unit_named_ns(name)) return std::string(formats::time_unit_name(*unit_ns));
   const auto* found = std::ranges::find(kUnits, name, &std::pair<std::string_view, std::string_view>::first);
@@ -262,6 +273,7 @@ std::vector<std::string_view> units_read(Quantity quantity) {
       return {"s", "ms", "us", "ns"};
     case Quantity::Latitude:
     case Quantity::Longitude:
+      return {"deg", "rad", "ddmm", "1e-7deg"};
     case Quantity::Roll:
     case Quantity::Pitch:
     case Quantity::Heading:

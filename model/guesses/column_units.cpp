@@ -31,7 +31,8 @@ bool states_unit(const std::string& stated) { return is_unit(stated.substr(0, st
 std::string unit_read(const TableChoices& choices, ColumnRole role) {
   const auto angle = [](bool in_deg) { return std::string(in_deg ? "deg" : "rad"); };
   if (role == ColumnRole::Time) return std::string(formats::time_unit_name(choices.time_unit_ns));
-  if (is_one_of(role, kGeodeticRoles)) return angle(choices.position_in_deg);
+  if (is_one_of(role, kGeodeticRoles)) return std::string(to_string(choices.position_unit));
+  if (is_one_of(role, kSideRoles)) return "";
   if (is_one_of(role, kAngleRoles)) return angle(choices.attitude_in_deg);
   if (is_one_of(role, kAttitudeSigmaRoles)) return angle(choices.attitude_in_deg && !is_quaternion(choices.attitude));
   return is_one_of(role, kPositionRoles) || is_one_of(role, kPositionSigmaRoles) ? "m" : "";
@@ -43,8 +44,9 @@ void take_stated_unit(const SampledTable& table, std::size_t column, TableChoice
   const ColumnRole role = choices.roles.at(column);
   if (role == ColumnRole::Time) return take_stated_time(table.columns.at(column), choices);
   const std::string stated = stated_by(table.columns.at(column));
+  const auto place_unit = formats::place_unit_named(stated);
+  if (place_unit && is_one_of(role, kGeodeticRoles)) choices.position_unit = *place_unit;
   if (stated != "deg" && stated != "rad") return;
-  if (is_one_of(role, kGeodeticRoles)) choices.position_in_deg = stated == "deg";
   if (is_one_of(role, kAngleRoles)) choices.attitude_in_deg = stated == "deg";
 }
 

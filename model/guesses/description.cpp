@@ -20,6 +20,8 @@
 #include "model/formats/sessions/several_sessions.h"
 #include "model/guesses/clock_guess.h"
 #include "model/guesses/found_tables.h"
+#include "model/guesses/joined_tables.h"
+#include "model/guesses/motion_parts.h"
 #include "model/guesses/scan_clock.h"
 #include "model/guesses/table_guess.h"
 
@@ -102,6 +104,7 @@ double rank_of(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) 
 
 bool is_used(const fs::path& file, const Description& description) {
   if (description.ins && description.ins->file == file) return true;
+  if (description.ins && description.ins->attitude && description.ins->attitude->file == file) return true;
   return std::ranges::any_of(description.lidars, [&](const ScansGuess& lidar) { return is_of_scans(lidar, file); });
 }
 
@@ -163,6 +166,34 @@ void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>&
     offer(std::move(motion));
     for (Message& lack : lacks) description.not_used.push_back({found.file, say::guess_lacks(std::move(lack))});
   }
+}
+
+/// Where no table has the whole motion: positions from one, attitudes from another.
+void guess_ins_of_parts(const std::vector<FoundTable>& tables, const Progress& progress, Description& description) {
+  constexpr std::size_t kMostPairs = 20;
+  const std::vector<std::int64_t> stamps_ns = stamps_of_lidars(description);
+  std::vector<const FoundTable*> positions, attitudes;
+  for (const FoundTable& found : tables) {
+    const MotionPart part = motion_part_of(found.table);
+    if (part == MotionPart::Positions) positions.push_back(&found);
+    if (part == MotionPart::Attitudes) attitudes.push_back(&found);
+  }
+  double best = 0.0;
+  std::size_t pairs = 0;
+  for (const FoundTable* places : positions)
+    for (const FoundTable* turns : attitudes) {
+      if (progress.cancelled() || ++pairs > kMostPairs) return;
+      std::vector<Message> lacks;
+      auto one = guess_ins_of_two(*places, *turns, stamps_ns, progress, lacks);
+      for (Message& lack : lacks) description.not_used.push_back({turns->file, say::guess_lacks(std::move(lack))});
+      if (!one) continue;
+      InsGuess placed = *one;
+      place_in_week(placed, stamps_ns);
+      const double rank = rank_of(placed, stamps_ns);
+      if (rank <= best) continue;
+      best = rank;
+      description.ins = std::move(one);
+    }
 }
 
 void tell_missing(const std::vector<FoundTable>& tables, Description& description) {
@@ -249,8 +280,8 @@ bool Description::open() const {
     std::erase_if(asked, [](const Guess& one) { return one.kind == GuessKind::Timing; });
     return any_open(asked);
   };
-  return (ins && any_open(ins->guesses)) || std::ranges::any_of(lidars, lidar_open) ||
-         (clock && clock->sureness == Sureness::Open);
+  return (ins && any_open(ins->guesses)) || (ins && ins->attitude && any_open(ins->attitude->guesses)) ||
+         std::ranges::any_of(lidars, lidar_open) || (clock && clock->sureness == Sureness::Open);
 }
 
 Description describe_data(const std::vector<fs::path>& paths, Progress& progress, KnownFormats known) {
@@ -290,6 +321,7 @@ DescribedTables look_at_data(const std::vector<fs::path>& paths, Progress& progr
     description.lidars.push_back(std::move(lidar));
   }
   guess_ins(logs, tables, progress, description);
+  if (!description.ins || description.ins->pose_format) guess_ins_of_parts(tables, progress, description);
   if (description.ins) {
     for (std::size_t i = 0; i < found.clouds.size(); ++i)
       take_clock_of_ins(found.clouds[i], *description.ins, description.lidars[i]);

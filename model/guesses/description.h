@@ -24,6 +24,13 @@ struct KnownSession {
   Message what;
 };
 
+/// Attitudes that stand in a table of their own.
+struct AttitudeGuess {
+  std::filesystem::path file;
+  formats::InsTableLayout layout{};
+  std::vector<Guess> guesses{};
+};
+
 /// Where the motion of the INS comes from.
 struct InsGuess {
   std::filesystem::path file;
@@ -31,6 +38,7 @@ struct InsGuess {
   std::optional<std::string> pose_format{};  ///< likewise, of a file of poses
   formats::InsTableLayout layout{};
   std::vector<Guess> guesses{};
+  std::optional<AttitudeGuess> attitude{};  ///< the layout is that of the positions then
   std::size_t samples = 0;
   conventions::TimeSpan span{};
   /// From sample to sample, but for gaps; ascending.

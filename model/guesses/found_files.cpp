@@ -39,7 +39,7 @@ std::optional<CloudFormat> format_by_name(const fs::path& file) {
   const std::string extension = formats::lower_case(file.extension().string());
   if (extension == ".pcd") return CloudFormat::Pcd;
   if (extension == ".ply") return CloudFormat::Ply;
-  if (extension == ".las") return CloudFormat::Las;
+  if (extension == ".las" || extension == ".laz") return CloudFormat::Las;
   if (extension == ".bin") return CloudFormat::KittiBin;
   return formats::is_text_cloud_name(file) ? std::optional(CloudFormat::Text) : std::nullopt;
 }

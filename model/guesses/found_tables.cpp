@@ -11,6 +11,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
+#include "model/guesses/motion_parts.h"
 
 namespace remount::guesses {
 
@@ -90,7 +91,8 @@ class TablesFound {
   static constexpr std::size_t kMostTables = 200, kMostValues = 20'000'000;  // 160 MB
 
   void add(const fs::path& file, SampledTable table) {
-    if (table.columns.size() < kFewestColumnsOfMotion && !may_tell_times(table, clouds_)) {
+    const bool part = table.columns.size() >= kFewestColumnsOfPart && motion_part_of(table) != MotionPart::None;
+    if (table.columns.size() < kFewestColumnsOfMotion && !part && !may_tell_times(table, clouds_)) {
       small_[file.parent_path()].push_back(file);
       return;
     }

@@ -231,7 +231,8 @@ class ManifestWriter {
     DocumentNode& columns = node.add("columns", DocumentNode::map());
     columns.add("time", time_node(ins.layout)).comment = comments(ins.guesses, {GuessKind::Time});
     add_position(ins, columns);
-    columns.add("attitude", attitude(ins.layout)).comment = comments(ins.guesses, {GuessKind::Attitude});
+    if (!ins.attitude)
+      columns.add("attitude", attitude(ins.layout)).comment = comments(ins.guesses, {GuessKind::Attitude});
     if (ins.layout.position_sigma_enu)
       columns.add("position_sigma_m", three({"east", "north", "up"}, *ins.layout.position_sigma_enu)).comment =
           comments(ins.guesses, {GuessKind::PositionSigma});
@@ -240,6 +241,21 @@ class ManifestWriter {
           .comment = comments(ins.guesses, {GuessKind::AttitudeSigma});
     if (ins.layout.quality)
       columns.add("quality", column(*ins.layout.quality)).comment = comments(ins.guesses, {GuessKind::Quality});
+    if (ins.attitude) add_attitudes(*ins.attitude, node);
+  }
+
+  void add_attitudes(const AttitudeGuess& attitudes, DocumentNode& ins) const {
+    const formats::InsTableLayout& layout = attitudes.layout;
+    DocumentNode& node = ins.add("attitude", DocumentNode::map());
+    node.comment = comments(attitudes.guesses, {GuessKind::Rows});
+    node.add("file", DocumentNode::string(path(attitudes.file)));
+    add_table(layout.text, node);
+    DocumentNode& columns = node.add("columns", DocumentNode::map());
+    columns.add("time", time_node(layout)).comment = comments(attitudes.guesses, {GuessKind::Time});
+    columns.add("attitude", attitude(layout)).comment = comments(attitudes.guesses, {GuessKind::Attitude});
+    if (layout.attitude_sigma_yaw_pitch_roll)
+      columns.add("attitude_sigma", three({"yaw", "pitch", "roll"}, *layout.attitude_sigma_yaw_pitch_roll)).comment =
+          comments(attitudes.guesses, {GuessKind::AttitudeSigma});
   }
 
   static DocumentNode three(const std::array<const char*, 3>& keys, const std::array<ColumnRef, 3>& refs) {
@@ -256,13 +272,15 @@ class ManifestWriter {
           .comment = said;
       return;
     }
-    const char* unit = layout.position_unit_rad == 1.0 ? "rad" : "deg";
-    for (const auto& [key, ref] : {std::pair("latitude", layout.latitude), {"longitude", layout.longitude}}) {
+    const auto add = [&](const char* key, const ColumnRef& ref, const std::optional<ColumnRef>& side) -> DocumentNode& {
       DocumentNode& node = columns.add(key, one_line());
-      if (key == std::string_view("latitude")) node.comment = said;
       add_named(ref, node);
-      node.add("unit", DocumentNode::string(unit));
-    }
+      node.add("unit", DocumentNode::string(std::string(to_string(layout.position_unit))));
+      if (side) node.add("side", column(*side));
+      return node;
+    };
+    add("latitude", layout.latitude, layout.latitude_side).comment = said;
+    add("longitude", layout.longitude, layout.longitude_side);
     DocumentNode& height = columns.add("height", one_line());
     add_named(layout.height, height);
     height.add("unit", DocumentNode::string("m"));

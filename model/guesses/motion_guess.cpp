@@ -97,7 +97,9 @@ void put_position(const SampledTable& table, const PositionReading& position, fo
   const auto& [first, second, third] = position.at;
   if (position.geodetic) {
     layout.latitude = table.ref(first), layout.longitude = table.ref(second), layout.height = table.ref(third);
-    layout.position_unit_rad = position.unit_rad;
+    layout.position_unit = position.unit;
+    if (position.sides[0]) layout.latitude_side = table.ref(*position.sides[0]);
+    if (position.sides[1]) layout.longitude_side = table.ref(*position.sides[1]);
     return;
   }
   layout.metric_position = {table.ref(first), table.ref(second), table.ref(third)};
@@ -257,17 +259,41 @@ void judge_exchanged(const SampledTable& table, const std::vector<Hypothesis>& a
             guess);
 }
 
+/// Degrees and minutes show in minutes that never reach 60, small parts of a degree in numbers that are whole.
+void judge_place_unit(const SampledTable& table, const PositionReading& position, Guess& guess) {
+  if (!position.geodetic || position.unit_by_name) return;
+  double largest = 0.0, most_minutes = 0.0;
+  for (const std::size_t column : {position.at[0], position.at[1]})
+    for (const double value : table.columns[column].values) {
+      if (!std::isfinite(value)) continue;
+      largest = std::max(largest, std::abs(value));
+      most_minutes = std::max(most_minutes, formats::minutes_of_place(value));
+    }
+  if (position.unit == formats::PlaceUnit::DegreesMinutes) {
+    guess.evidence.push_back(say::guess_unit_is_minutes(largest, most_minutes));
+    guess.sureness = Sureness::Likely;
+  } else if (position.unit == formats::PlaceUnit::TenMillionths) {
+    guess.evidence.push_back(say::guess_unit_is_small(largest));
+    guess.sureness = position.other_unit_fits ? Sureness::Open : Sureness::Likely;
+    if (position.other_unit_fits) guess.evidence.push_back(say::guess_unit_may_be_millionths());
+  } else {
+    guess.evidence.push_back(say::guess_unit_by_size(guess.unit));
+  }
+}
+
 Guess position_guess(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best) {
   const PositionReading& position = *best.position;
   Guess guess{GuessKind::Position,
               {},
-              position.geodetic ? (position.unit_rad == 1.0 ? "rad" : "deg") : "m",
+              position.geodetic ? std::string(to_string(position.unit)) : "m",
               position.by_name ? Sureness::Named : Sureness::Likely,
               {},
               {}};
   for (const std::size_t column : position.at) guess.columns.push_back(table.label(column));
   if (!position.by_name) guess.evidence.push_back(say::guess_position_by_movement());
-  if (position.geodetic && !position.unit_by_name) guess.evidence.push_back(say::guess_unit_by_size(guess.unit));
+  for (const std::optional<std::size_t>& side : position.sides)
+    if (side) guess.columns.push_back(table.label(*side));
+  judge_place_unit(table, position, guess);
   guess.evidence.push_back(say::guess_way(Length{position.way_m}));
   if (position.above_sea) guess.evidence.push_back(say::guess_above_sea());
   judge_exchanged(table, all, best, guess);

@@ -16,20 +16,33 @@
 namespace remount::guesses {
 namespace {
 
+using formats::PlaceUnit;
+
 constexpr double kFastest_mps = 80.0;
 
 const std::vector<double>& values_of(const SampledTable& table, std::size_t column) {
   return table.columns[column].values;
 }
 
+/// -1 where all letters are the second one.
+double sign_of_side(const SampledTable& table, const std::optional<std::size_t>& side, char negative) {
+  if (!side) return 1.0;
+  const std::vector<std::string>& texts = table.columns[*side].texts;
+  return texts.size() == 1 && texts.front() == std::string(1, negative) ? -1.0 : 1.0;
+}
+
 /// Metres from the first row, on a sphere: enough for directions.
 std::vector<Eigen::Vector3d> metres_of(const SampledTable& table, const PositionReading& reading) {
   const auto& [first, second, third] = reading.at;
   const std::vector<double>&a = values_of(table, first), &b = values_of(table, second), &c = values_of(table, third);
+  const double north = sign_of_side(table, reading.sides[0], 'S'), east = sign_of_side(table, reading.sides[1], 'W');
   std::vector<Eigen::Vector3d> metres;
   std::optional<Eigen::Vector3d> origin;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const Eigen::Vector3d raw(a[i], b[i], reading.down ? -c[i] : c[i]);
+    const double up = reading.down ? -c[i] : c[i];
+    const Eigen::Vector3d raw = reading.geodetic ? Eigen::Vector3d(north * formats::place_rad(a[i], reading.unit),
+                                                                   east * formats::place_rad(b[i], reading.unit), up)
+                                                 : Eigen::Vector3d(a[i], b[i], up);
     if (!origin && raw.allFinite()) origin = raw;
     if (!origin) {
       metres.push_back(raw);
@@ -40,9 +53,8 @@ std::vector<Eigen::Vector3d> metres_of(const SampledTable& table, const Position
       metres.push_back(from_first);
       continue;
     }
-    const double per_unit_m = reading.unit_rad * geodesy::kEarthRadius_m;
-    metres.emplace_back(from_first.y() * per_unit_m * std::cos(origin->x() * reading.unit_rad),
-                        from_first.x() * per_unit_m, from_first.z());
+    metres.emplace_back(from_first.y() * geodesy::kEarthRadius_m * std::cos(origin->x()),
+                        from_first.x() * geodesy::kEarthRadius_m, from_first.z());
   }
   return metres;
 }
@@ -118,15 +130,54 @@ class PositionReader {
     return movement;
   }
 
-  /// Degrees beyond what radians may be, or where radians would be faster than any vehicle.
+  /// Degrees beyond what radians may be, or where radians would be faster than any vehicle; beyond what degrees may be,
+  /// one of the others.
   void settle_unit(PositionReading& reading, const std::string& unit) const {
-    reading.unit_by_name = unit == "deg" || unit == "rad";
-    const bool beyond = largest_size(values_of(table_, reading.at[0])) > kPi / 2.0 + 1e-9 ||
-                        largest_size(values_of(table_, reading.at[1])) > kPi + 1e-9;
-    reading.unit_rad = unit == "rad" ? 1.0 : kDegree_rad;
-    if (reading.unit_by_name || beyond) return;
-    reading.unit_rad = 1.0;
-    if (finish(reading).fastest_mps > kFastest_mps) reading.unit_rad = kDegree_rad;
+    const auto stated = formats::place_unit_named(unit);
+    reading.unit_by_name = stated.has_value();
+    reading.unit = stated.value_or(PlaceUnit::Degrees);
+    if (stated) return;
+    const double latitude = largest_size(values_of(table_, reading.at[0])),
+                 longitude = largest_size(values_of(table_, reading.at[1]));
+    if (latitude > 90.0 || longitude > 360.0) return settle_rare_unit(reading, latitude, longitude);
+    if (latitude > kPi / 2.0 + 1e-9 || longitude > kPi + 1e-9) return;
+    reading.unit = PlaceUnit::Radians;
+    if (finish(reading).fastest_mps > kFastest_mps) reading.unit = PlaceUnit::Degrees;
+  }
+
+  /// Where neither fits, degrees stay: the rows are refused with the reason then.
+  void settle_rare_unit(PositionReading& reading, double latitude, double longitude) const {
+    const auto fits = [&](PlaceUnit unit) {
+      reading.unit = unit;
+      const Movement movement = finish(reading);
+      return std::ranges::all_of(reading.metres,
+                                 [](const auto& place) { return !std::isnan(place.x() + place.y()); }) &&
+             movement.fastest_mps < kFastest_mps;
+    };
+    const auto whole = [&](std::size_t column) { return table_.columns[column].whole; };
+    if (latitude < 9000.0 && longitude < 18'000.0 && fits(PlaceUnit::DegreesMinutes)) return;
+    constexpr double kLeast = 1e5, kMillionths = 1e6;
+    const bool integers = whole(reading.at[0]) && whole(reading.at[1]) && std::max(latitude, longitude) > kLeast;
+    if (integers && latitude < 9e8 && longitude < 1.8e9 && fits(PlaceUnit::TenMillionths)) {
+      reading.other_unit_fits = latitude < 90.0 * kMillionths && longitude < 180.0 * kMillionths;
+      return;
+    }
+    reading.unit = PlaceUnit::Degrees;
+  }
+
+  /// The column of which all texts are one of two letters, if it is the only one.
+  std::optional<std::size_t> letters_of(std::string_view letters) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      const std::vector<std::string>& texts = table_.columns[i].texts;
+      const auto is_letter = [&](const std::string& text) {
+        return text.size() == 1 && letters.find(text.front()) != std::string_view::npos;
+      };
+      if (table_.columns[i].numeric || texts.empty() || !std::ranges::all_of(texts, is_letter)) continue;
+      if (found) return std::nullopt;
+      found = i;
+    }
+    return found;
   }
 
   void by_names() {
@@ -137,10 +188,12 @@ class PositionReader {
       reading.above_sea = names_[*height]->quantity == Quantity::SeaHeight;
       const auto unit = common_unit(names_, std::array{*latitude, *longitude});
       if (!unit) return;
+      reading.sides = {letters_of("NS"), letters_of("EW")};
       settle_unit(reading, *unit);
       finish(reading);
       out_.push_back(std::move(reading));
-      if (largest_size(values_of(table_, *longitude)) * out_.front().unit_rad <= kPi / 2.0)
+      const bool sides = out_.front().sides[0] || out_.front().sides[1];
+      if (!sides && formats::place_rad(largest_size(values_of(table_, *longitude)), out_.front().unit) <= kPi / 2.0)
         add_exchanged(out_.front(), false);
       return;
     }
@@ -194,11 +247,11 @@ class PositionReader {
       };
       const bool height = largest_size(values_of(table_, i + 2)) < kLargestHeight_m;
       for (const bool exchanged : {false, true})
-        for (const double unit_rad : {kDegree_rad, 1.0}) {
-          const double latitude = (exchanged ? second : first) * unit_rad,
-                       longitude = (exchanged ? first : second) * unit_rad;
+        for (const PlaceUnit unit : {PlaceUnit::Degrees, PlaceUnit::Radians}) {
+          const double latitude = formats::place_rad(exchanged ? second : first, unit),
+                       longitude = formats::place_rad(exchanged ? first : second, unit);
           if (!height || latitude > kPi / 2.0 || longitude > kPi || latitude < 1e-3) continue;
-          add({.at = {exchanged ? i + 1 : i, exchanged ? i : i + 1, i + 2}, .geodetic = true, .unit_rad = unit_rad},
+          add({.at = {exchanged ? i + 1 : i, exchanged ? i : i + 1, i + 2}, .geodetic = true, .unit = unit},
               exchanged ? 0.9 : 1.0);
         }
       if (!is_geocentric(table_, {i, i + 1, i + 2})) add({.at = {i, i + 1, i + 2}}, 0.5);

@@ -17,7 +17,9 @@ struct PositionReading {
   bool on_axes = false;    ///< named as east and north
   bool exchanged = false;  ///< x counts north and y east though they are not called so, latitude is called longitude
   bool down = false;       ///< the third counts downwards
-  double unit_rad = 1.0;   ///< of latitude and longitude
+  formats::PlaceUnit unit = formats::PlaceUnit::Radians;  ///< of latitude and longitude
+  std::array<std::optional<std::size_t>, 2> sides{};      ///< columns with N or S, with E or W
+  bool other_unit_fits = false;  ///< its whole numbers may as well count another share of a degree
   bool by_name = false, unit_by_name = false;
   bool above_sea = false;
   std::vector<Eigen::Vector3d> metres{};  ///< of the sampled rows, from the first; NaN where there is none

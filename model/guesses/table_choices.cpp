@@ -141,7 +141,9 @@ class LayoutMaker {
       layout_.latitude = ref(ColumnRole::Latitude);
       layout_.longitude = ref(ColumnRole::Longitude);
       layout_.height = ref(ColumnRole::Height);
-      layout_.position_unit_rad = choices_.position_in_deg ? kDegree_rad : 1.0;
+      layout_.position_unit = choices_.position_unit;
+      layout_.latitude_side = if_any(ColumnRole::LatitudeSide);
+      layout_.longitude_side = if_any(ColumnRole::LongitudeSide);
       return;
     }
     layout_.metric_down = choices_.has(ColumnRole::Down);
@@ -211,16 +213,38 @@ std::optional<ColumnRole> role_of(Quantity quantity) {
 
 Message words(ColumnRole role) {
   static constexpr std::array<Message (*)(), kColumnRoleCount> kWords{
-      say::import_role_ignored,      say::import_role_time,        say::import_role_day,
-      say::import_role_week,         say::import_role_nanoseconds, say::import_role_microseconds,
-      say::import_role_milliseconds, say::import_role_year,        say::import_role_month,
-      say::import_role_hour,         say::import_role_minute,      say::import_role_latitude,
-      say::import_role_longitude,    say::import_role_east,        say::import_role_north,
-      say::import_role_height,       say::import_role_down,        say::import_role_yaw,
-      say::import_role_pitch,        say::import_role_roll,        say::import_role_qx,
-      say::import_role_qy,           say::import_role_qz,          say::import_role_qw,
-      say::import_role_sigma_east,   say::import_role_sigma_north, say::import_role_sigma_up,
-      say::import_role_sigma_yaw,    say::import_role_sigma_pitch, say::import_role_sigma_roll,
+      say::import_role_ignored,
+      say::import_role_time,
+      say::import_role_day,
+      say::import_role_week,
+      say::import_role_nanoseconds,
+      say::import_role_microseconds,
+      say::import_role_milliseconds,
+      say::import_role_year,
+      say::import_role_month,
+      say::import_role_hour,
+      say::import_role_minute,
+      say::import_role_latitude,
+      say::import_role_longitude,
+      say::import_role_latitude_side,
+      say::import_role_longitude_side,
+      say::import_role_east,
+      say::import_role_north,
+      say::import_role_height,
+      say::import_role_down,
+      say::import_role_yaw,
+      say::import_role_pitch,
+      say::import_role_roll,
+      say::import_role_qx,
+      say::import_role_qy,
+      say::import_role_qz,
+      say::import_role_qw,
+      say::import_role_sigma_east,
+      say::import_role_sigma_north,
+      say::import_role_sigma_up,
+      say::import_role_sigma_yaw,
+      say::import_role_sigma_pitch,
+      say::import_role_sigma_roll,
       say::import_role_quality,
   };
   return kWords[static_cast<std::size_t>(role)]();
@@ -244,7 +268,7 @@ bool same_time(const TableChoices& a, const TableChoices& b) {
 }
 
 bool same_position(const TableChoices& a, const TableChoices& b) {
-  return same_columns(a, b, kPositionRoles) && (a.metric() || a.position_in_deg == b.position_in_deg);
+  return same_columns(a, b, kPositionRoles) && (a.metric() || a.position_unit == b.position_unit);
 }
 
 bool same_attitude(const TableChoices& a, const TableChoices& b) {
@@ -259,7 +283,11 @@ void give_role(const SampledTable& table, TableChoices& choices, std::size_t col
       if (share_place(other, role)) other = before;
   choices.roles[column] = role;
   if (is_one_of(role, kGeodeticRoles)) ignore(choices, kMetricRoles);
-  if (is_one_of(role, kMetricRoles)) ignore(choices, kGeodeticRoles);
+  if (is_one_of(role, kSideRoles)) ignore(choices, kMetricRoles);
+  if (is_one_of(role, kMetricRoles)) {
+    ignore(choices, kGeodeticRoles);
+    ignore(choices, kSideRoles);
+  }
   if (is_one_of(role, kAngleRoles)) {
     ignore(choices, kQuaternionRoles);
     if (is_quaternion(choices.attitude)) choices.attitude = AttitudeStyle::Heading;
@@ -306,7 +334,9 @@ void take_motion(const SampledTable& table, const InsTableLayout& layout, TableC
   } else {
     putter.put_all(std::array{layout.latitude, layout.longitude, layout.height},
                    {ColumnRole::Latitude, ColumnRole::Longitude, ColumnRole::Height});
-    choices.position_in_deg = layout.position_unit_rad != 1.0;
+    if (layout.latitude_side) putter.put(*layout.latitude_side, ColumnRole::LatitudeSide);
+    if (layout.longitude_side) putter.put(*layout.longitude_side, ColumnRole::LongitudeSide);
+    choices.position_unit = layout.position_unit;
   }
   choices.attitude = style_of(layout);
   if (layout.quaternion) {

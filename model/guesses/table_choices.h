@@ -29,6 +29,8 @@ enum class ColumnRole {
   Minute,
   Latitude,
   Longitude,
+  LatitudeSide,   ///< N or S
+  LongitudeSide,  ///< E or W
   East,
   North,
   Height,  ///< or up, beside east and north
@@ -48,7 +50,7 @@ enum class ColumnRole {
   SigmaRoll,
   Quality,
 };
-inline constexpr std::size_t kColumnRoleCount = 31;
+inline constexpr std::size_t kColumnRoleCount = 33;
 /// "latitude".
 Message words(ColumnRole role);
 
@@ -61,9 +63,12 @@ inline constexpr std::array kCalendarRoles{ColumnRole::Year, ColumnRole::Month, 
 /// Beside whole seconds: one of them.
 inline constexpr std::array kRestRoles{ColumnRole::Nanoseconds, ColumnRole::Microseconds, ColumnRole::Milliseconds};
 inline constexpr std::array kGeodeticRoles{ColumnRole::Latitude, ColumnRole::Longitude};
+/// Letters beside numbers without a sign.
+inline constexpr std::array kSideRoles{ColumnRole::LatitudeSide, ColumnRole::LongitudeSide};
 inline constexpr std::array kMetricRoles{ColumnRole::East, ColumnRole::North, ColumnRole::Down};
-inline constexpr std::array kPositionRoles{ColumnRole::Latitude, ColumnRole::Longitude, ColumnRole::East,
-                                           ColumnRole::North,    ColumnRole::Height,    ColumnRole::Down};
+inline constexpr std::array kPositionRoles{ColumnRole::Latitude,      ColumnRole::Longitude, ColumnRole::LatitudeSide,
+                                           ColumnRole::LongitudeSide, ColumnRole::East,      ColumnRole::North,
+                                           ColumnRole::Height,        ColumnRole::Down};
 inline constexpr std::array kAngleRoles{ColumnRole::Yaw, ColumnRole::Pitch, ColumnRole::Roll};
 inline constexpr std::array kQuaternionRoles{ColumnRole::Qx, ColumnRole::Qy, ColumnRole::Qz, ColumnRole::Qw};
 inline constexpr std::array kAttitudeRoles{ColumnRole::Yaw, ColumnRole::Pitch, ColumnRole::Roll, ColumnRole::Qx,
@@ -87,8 +92,8 @@ struct TableChoices {
   std::int64_t time_unit_ns = 1'000'000'000;                      ///< 0: the time is a text with a date
   formats::DateOrder date_order = formats::DateOrder::YearFirst;  ///< of that text
   formats::TimeScale time_scale = formats::TimeScale::Unix;
-  std::int64_t offset_ns = 0;   ///< added to the times
-  bool position_in_deg = true;  ///< latitude and longitude
+  std::int64_t offset_ns = 0;                                      ///< added to the times
+  formats::PlaceUnit position_unit = formats::PlaceUnit::Degrees;  ///< of latitude and longitude
   AttitudeStyle attitude = AttitudeStyle::Heading;
   bool attitude_in_deg = true;
   std::array<bool, 3> negated{};  ///< yaw, pitch, roll

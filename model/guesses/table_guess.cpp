@@ -13,20 +13,6 @@
 namespace remount::guesses {
 namespace {
 
-/// @param left_out how many rows were not read, and why the first was not; empty where all were
-Guess rows_guess(const SampledTable& table, const TimeReading& time, std::size_t samples, const Message& left_out) {
-  const double span_s = time.last_s - time.first_s;
-  const double rate_hz = span_s > 0.0 ? static_cast<double>(samples - 1) / span_s : 0.0;
-  const bool few = 2 * samples < table.rows;
-  Guess guess{GuessKind::Rows, {}, "", few ? Sureness::Likely : Sureness::Checked, {}, {}};
-  guess.evidence.push_back(say::guess_rows(samples, table.rows, Frequency{rate_hz}, Duration{span_s}));
-  if (samples < table.rows && !left_out.empty()) guess.evidence.push_back(left_out);
-  if (table.text.no_value)
-    guess.evidence.push_back(say::guess_no_value_number(*table.text.no_value, table.no_value_in));
-  if (table.text.decimal_commas) guess.evidence.push_back(say::guess_decimal_commas());
-  return guess;
-}
-
 /// Everything that the manifest will say is read as its reader reads it.
 bool read_as_declared(const FoundTable& found, InsGuess& ins, std::vector<drive::Finding>& findings,
                       std::vector<Message>& missing) {
@@ -44,6 +30,19 @@ bool read_as_declared(const FoundTable& found, InsGuess& ins, std::vector<drive:
 }
 
 }  // namespace
+
+Guess rows_guess(const SampledTable& table, const TimeReading& time, std::size_t samples, const Message& left_out) {
+  const double span_s = time.last_s - time.first_s;
+  const double rate_hz = span_s > 0.0 ? static_cast<double>(samples - 1) / span_s : 0.0;
+  const bool few = 2 * samples < table.rows;
+  Guess guess{GuessKind::Rows, {}, "", few ? Sureness::Likely : Sureness::Checked, {}, {}};
+  guess.evidence.push_back(say::guess_rows(samples, table.rows, Frequency{rate_hz}, Duration{span_s}));
+  if (samples < table.rows && !left_out.empty()) guess.evidence.push_back(left_out);
+  if (table.text.no_value)
+    guess.evidence.push_back(say::guess_no_value_number(*table.text.no_value, table.no_value_in));
+  if (table.text.decimal_commas) guess.evidence.push_back(say::guess_decimal_commas());
+  return guess;
+}
 
 std::optional<InsGuess> guess_ins_of(const FoundTable& found, const std::vector<std::int64_t>& stamps_ns,
                                      const Progress& progress, std::vector<Message>& missing) {

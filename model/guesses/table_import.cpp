@@ -168,7 +168,7 @@ ImportTable import_table(const fs::path& file, const Description& description, c
   import.first_rows = first_rows_of(*sampled, text);
   const FoundTable found{file, std::move(*sampled)};
   const std::vector<std::int64_t> stamps_ns = stamps_of(description, {});
-  if (description.ins && description.ins->file == file) {
+  if (description.ins && description.ins->file == file && !description.ins->attitude) {
     import.guess = description.ins;
   } else if (import.guess = guess_ins_of(found, stamps_ns, progress, import.lacks); import.guess) {
     place_in_week(*import.guess, stamps_ns);
@@ -216,7 +216,7 @@ ImportData look_for_import(const std::vector<fs::path>& paths, Progress& progres
   if (const auto chosen = std::ranges::find_if(data.tables, is_meant); chosen != data.tables.end())
     first = *chosen;
   else if (found.ins)
-    first = found.ins->log ? std::nullopt : std::optional(found.ins->file);
+    first = found.ins->log || found.ins->attitude ? std::nullopt : std::optional(found.ins->file);
   else if (const auto other = std::ranges::find_if_not(data.tables, is_lidars); other != data.tables.end())
     first = *other;
   if (first && !progress.cancelled()) data.table = import_table(*first, found, progress);

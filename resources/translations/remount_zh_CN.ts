@@ -3117,6 +3117,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>The drive appears here as soon as it is read.</source>
         <translation>读取后在此显示行驶路线。</translation>
     </message>
+    <message>
+        <source>Positions from %1 and attitudes from %2 are joined by their times. There are no columns to choose: what was found, and how sure it is, stands as comments in the session.yaml that is saved.</source>
+        <translation>%1 中的位置与 %2 中的姿态按时间合并。没有需要选择的列：识别结果及其可信程度以注释形式写在所保存的 session.yaml 中。</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::KeysDialog</name>
@@ -5638,14 +5642,6 @@ Dragging to the side, Left and Right move it along the surface, Up and Down to t
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>position in degrees</source>
-        <translation>位置以度计</translation>
-    </message>
-    <message>
-        <source>position in radians</source>
-        <translation>位置以弧度计</translation>
-    </message>
-    <message>
         <source>angles in degrees</source>
         <translation>角度以度计</translation>
     </message>
@@ -5676,6 +5672,26 @@ Dragging to the side, Left and Right move it along the surface, Up and Down to t
     <message>
         <source>roll as usual</source>
         <translation>横滚不反向</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>弧度</translation>
+    </message>
+    <message>
+        <source>degrees and minutes (ddmm.mmmm)</source>
+        <translation>度与分连写（ddmm.mmmm）</translation>
+    </message>
+    <message>
+        <source>ten-millionths of a degree</source>
+        <translation>千万分之一度</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>position in %1</source>
+        <translation>位置单位为%1</translation>
     </message>
 </context>
 <context>

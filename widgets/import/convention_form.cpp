@@ -106,7 +106,9 @@ void ConventionForm::make_time() {
 }
 
 void ConventionForm::make_position() {
-  position_unit_ = add_units(groups_[Position], tr("U&nit"));
+  position_unit_ = add_list(groups_[Position], tr("U&nit"));
+  for (const auto& [unit, name] : formats::kPlaceUnits)
+    position_unit_->addItem(place_unit_words(unit), static_cast<int>(unit));
   position_unit_->setToolTip(tr("Of latitude and longitude. East, north, x, y, z and heights are metres."));
 }
 
@@ -246,7 +248,7 @@ void ConventionForm::show_choices(const TableChoices& choices) {
   time_scale_->setCurrentIndex(time_scale_->findData(static_cast<int>(choices.time_scale)));
   const QSignalBlocker quiet(offset_s_);
   offset_s_->setValue(1e-9 * static_cast<double>(choices.offset_ns));
-  position_unit_->setCurrentIndex(position_unit_->findData(choices.position_in_deg));
+  position_unit_->setCurrentIndex(position_unit_->findData(static_cast<int>(choices.position_unit)));
   groups_[Position].form->setRowVisible(position_unit_, !choices.metric());
   style_->setCurrentIndex(style_->findData(static_cast<int>(choices.attitude)));
   style_->setToolTip(style_->currentText());
@@ -266,7 +268,7 @@ void ConventionForm::read_form() {
   choices.date_order = static_cast<formats::DateOrder>(date_order_->currentData().toInt());
   choices.time_scale = static_cast<formats::TimeScale>(time_scale_->currentData().toInt());
   choices.offset_ns = std::llround(offset_s_->value() * 1e9);
-  choices.position_in_deg = position_unit_->currentData().toBool();
+  choices.position_unit = static_cast<formats::PlaceUnit>(position_unit_->currentData().toInt());
   choices.attitude = static_cast<AttitudeStyle>(style_->currentData().toInt());
   choices.attitude_in_deg = angle_unit_->currentData().toBool();
   for (std::size_t i = 0; i < 3; ++i) choices.negated.at(i) = negated_.at(i)->isChecked();

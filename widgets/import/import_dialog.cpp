@@ -186,6 +186,11 @@ void ImportDialog::show_about() {
                "poses "
                "of another LiDAR beside it.")
                 .arg(files_->shown_path(table_->file));
+  else if (!table_ && found.ins && found.ins->attitude)
+    about = tr("Positions from %1 and attitudes from %2 are joined by their times. There are no columns to choose: "
+               "what was "
+               "found, and how sure it is, stands as comments in the session.yaml that is saved.")
+                .arg(files_->shown_path(found.ins->file), files_->shown_path(found.ins->attitude->file));
   else if (!table_ && found.ins)
     about =
         tr("%1 says itself what it holds: there are no columns to choose.").arg(files_->shown_path(found.ins->file));

@@ -45,6 +45,19 @@ QString time_unit_words(std::int64_t unit_ns) {
   }
 }
 
+QString place_unit_words(formats::PlaceUnit unit) {
+  switch (unit) {
+    case formats::PlaceUnit::Radians:
+      return ImportText::tr("radians");
+    case formats::PlaceUnit::DegreesMinutes:
+      return ImportText::tr("degrees and minutes (ddmm.mmmm)");
+    case formats::PlaceUnit::TenMillionths:
+      return ImportText::tr("ten-millionths of a degree");
+    default:
+      return ImportText::tr("degrees");
+  }
+}
+
 QString time_scale_words(formats::TimeScale scale) {
   switch (scale) {
     case formats::TimeScale::Unix:
@@ -68,8 +81,8 @@ QString difference_words(const guesses::SampledTable& table, const guesses::Tabl
   if (from.time_unit_ns != to.time_unit_ns) parts << time_unit_words(to.time_unit_ns);
   if (from.date_order != to.date_order && to.time_unit_ns == 0) parts << date_order_words(to.date_order);
   if (from.time_scale != to.time_scale) parts << time_scale_words(to.time_scale);
-  if (from.position_in_deg != to.position_in_deg && !to.metric())
-    parts << (to.position_in_deg ? ImportText::tr("position in degrees") : ImportText::tr("position in radians"));
+  if (from.position_unit != to.position_unit && !to.metric())
+    parts << ImportText::tr("position in %1").arg(place_unit_words(to.position_unit));
   if (from.attitude != to.attitude) parts << style_words(to.attitude);
   if (from.attitude_in_deg != to.attitude_in_deg && !guesses::is_quaternion(to.attitude))
     parts << (to.attitude_in_deg ? ImportText::tr("angles in degrees") : ImportText::tr("angles in radians"));

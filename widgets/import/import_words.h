@@ -10,6 +10,7 @@
 namespace remount::widgets {
 
 QString style_words(guesses::AttitudeStyle style);
+QString place_unit_words(formats::PlaceUnit unit);
 QString time_unit_words(std::int64_t unit_ns);
 QString time_scale_words(formats::TimeScale scale);
 QString date_order_words(formats::DateOrder order);

@@ -141,7 +141,7 @@ void keep_best_of_each_stamp(FixStream& stream, const std::string& where, std::v
 std::vector<motion::InsSample> ins_at_fixes(const FixStream& fixes,
                                             const std::vector<formats::StampedAttitude>& attitudes,
                                             const std::string& where, drive::Session& session) {
-  const double longest_gap_s = std::max(0.05, 3.0 * drive::median_period_s(attitudes));
+  const double longest_s = formats::longest_turn_s(attitudes);
   const bool tells_augmentation = std::ranges::any_of(fixes.messages, [](auto& fix) { return fix.status == 2; });
   std::vector<motion::InsSample> ins;
   std::size_t without_fix = 0, alone = 0, of_one_stamp = 0;
@@ -151,26 +151,20 @@ std::vector<motion::InsSample> ins_at_fixes(const FixStream& fixes,
       continue;
     }
     const std::int64_t stamp_ns = fix.header.stamp_ns;
-    const auto after = std::ranges::lower_bound(attitudes, stamp_ns, {}, &formats::StampedAttitude::stamp_ns);
-    const bool exact = after != attitudes.end() && after->stamp_ns == stamp_ns;
-    const auto before = exact || after == attitudes.begin() ? after : after - 1;
-    if (after == attitudes.end() || (!exact && after == attitudes.begin()) ||
-        seconds(after->stamp_ns - before->stamp_ns) > longest_gap_s) {
+    const auto attitude = formats::attitude_at(attitudes, stamp_ns, longest_s);
+    if (!attitude) {
       ++alone;
       continue;
     }
-    const double share = exact ? 0.0
-                               : static_cast<double>(stamp_ns - before->stamp_ns) /
-                                     static_cast<double>(after->stamp_ns - before->stamp_ns);
-    of_one_stamp += exact;
+    of_one_stamp += attitude->of_this_stamp;
     motion::InsSample sample;
     sample.stamp_ns = stamp_ns;
     sample.latitude_rad = fix.latitude_rad;
     sample.longitude_rad = fix.longitude_rad;
     sample.height_m = fix.height_m;
-    sample.enu_from_ins = before->enu_from_ins.slerp(share, after->enu_from_ins).normalized();
+    sample.enu_from_ins = attitude->enu_from_ins;
     if (fix.covariance_enu_m2) sample.sigma.position_enu_m = fix.covariance_enu_m2->diagonal().cwiseSqrt();
-    sample.sigma.attitude_rad = after->sigma_rad;
+    sample.sigma.attitude_rad = attitude->sigma_rad;
     if (tells_augmentation) sample.quality = fix.status == 2 ? motion::InsQuality::Good : motion::InsQuality::Degraded;
     ins.push_back(sample);
   }

@@ -159,6 +159,12 @@ void CloudBuilder::add(const RawPoint& point) {
     times_.push_back(point.time);
 }
 
+void CloudBuilder::leave_out_times() {
+  columns_.time = -1;
+  times_.clear();
+  cloud_.time_from_stamp_s.clear();
+}
+
 /// All columns but that of times. @return the place after `to`
 std::size_t CloudBuilder::move_point(std::size_t from, std::size_t to) {
   cloud_.points[to] = cloud_.points[from];

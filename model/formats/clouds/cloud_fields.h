@@ -85,6 +85,8 @@ class CloudBuilder {
   /// @param expected_points memory is taken for so many; bounded by the caller by what the file can hold
   CloudBuilder(const CloudColumns& columns, const TimeColumn& time, std::size_t expected_points);
   void add(const RawPoint& point);
+  /// The column of times turned out to say nothing: the cloud has none.
+  void leave_out_times();
 
   /// Units and clocks of time columns: see find_time_scale. Throws Error(Unsupported) at `where` for coordinates of a
   /// map: no sensor has all of its returns so far away.
@@ -112,7 +114,8 @@ ReadCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, s
                     PointTimes times = PointTimes::Used);
 ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns,
                     PointTimes times = PointTimes::Used);
-/// LAS 1.0 to 1.4 in the frame of the sensor, with intensity and GPS time; classes and returns are not used.
+/// LAS 1.0 to 1.4, plain or compressed (LAZ), in the frame of the sensor, with intensity and GPS time; classes and
+/// returns are not used.
 ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns,
                     PointTimes times = PointTimes::Used);
 /// Little-endian 32-bit floats, 3 to 6 a point: x, y, z; with reflectance (KITTI); with the ring behind it (nuScenes);

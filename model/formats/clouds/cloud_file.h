@@ -35,11 +35,11 @@ struct ReadCloud {
   Message columns_words() const { return note != nullptr ? note(columns) : Message::verbatim(columns); }
 };
 
-/// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), LAS, .bin of 3 to 6
-/// floats a point, or text of a point a line. Auto decides by content, then by extension. Points that are not finite,
-/// at zero range or of no time of the scan are left out and counted. Per-point times are taken relative to `stamp_ns`
-/// (Unix time of the scan; 0: not known), see find_time_scale. Throws Error naming file and line or byte, and
-/// Error(Unsupported) for coordinates of a map.
+/// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), LAS and LAZ, .bin of
+/// 3 to 6 floats a point, or text of a point a line. Auto decides by content, then by extension. Points that are not
+/// finite, at zero range or of no time of the scan are left out and counted. Per-point times are taken relative to
+/// `stamp_ns` (Unix time of the scan; 0: not known), see find_time_scale. Throws Error naming file and line or byte,
+/// and Error(Unsupported) for coordinates of a map.
 ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_ns,
                           CloudFormat format = CloudFormat::Auto, PointTimes times = PointTimes::Used);
 /// Its points alone.

@@ -1,4 +1,4 @@
-// LAS 1.0 to 1.4 (ASPRS), point formats 0 to 10, as single scans in the sensor's frame.
+// LAS 1.0 to 1.4 (ASPRS), point formats 0 to 10, plain or compressed (LAZ), as single scans in the sensor's frame.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/running_period.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/laz/laz_points.h"
 
 namespace remount::formats {
 namespace {
@@ -25,7 +26,9 @@ constexpr std::array<PointLayout, 11> kLayouts{
     {{20, 0}, {28, 20}, {26, 0}, {34, 20}, {57, 20}, {63, 20}, {30, 22}, {36, 22}, {38, 22}, {59, 22}, {67, 22}}};
 
 struct LasHeader {
+  std::size_t header_bytes = 0, header_records = 0;
   std::size_t format = 0, record_bytes = 0, points_at = 0, points = 0;
+  bool compressed = false;
   bool whole_gps_time = false;  ///< GPS seconds less 1e9; otherwise seconds of the GPS week
   std::array<double, 3> scale{}, offset{};
 };
@@ -41,8 +44,12 @@ class HeaderReader {
     const int major = static_cast<int>(value(24, ScalarType::U8)), minor = static_cast<int>(value(25, ScalarType::U8));
     if (major != 1 || minor > 4) fail(24, say::las_version(major, minor));
     LasHeader header;
-    const auto format = static_cast<std::size_t>(value(104, ScalarType::U8));
-    if ((format & 0xc0U) != 0) throw Error(ErrorCode::Unsupported, path_.string(), say::las_compressed());
+    constexpr unsigned kCompressed = 0x80, kFormat = 0x3f;
+    const auto flagged = static_cast<unsigned>(value(104, ScalarType::U8));
+    header.compressed = (flagged & kCompressed) != 0;
+    header.header_bytes = static_cast<std::size_t>(value(94, ScalarType::U16));
+    header.header_records = static_cast<std::size_t>(value(100, ScalarType::U32));
+    const std::size_t format = flagged & kFormat;
     if (format >= kLayouts.size()) fail(104, say::las_point_format(format));
     header.format = format;
     header.record_bytes = static_cast<std::size_t>(value(105, ScalarType::U16));
@@ -53,7 +60,7 @@ class HeaderReader {
     header.points_at = static_cast<std::size_t>(value(96, ScalarType::U32));
     header.points = point_count(minor);
     if (header.points_at < 227 || header.points_at > bytes_.size() ||
-        header.points > (bytes_.size() - header.points_at) / header.record_bytes)
+        (!header.compressed && header.points > (bytes_.size() - header.points_at) / header.record_bytes))
       fail(96, say::las_points_beyond_end(header.points, Bytes{header.record_bytes}, header.points_at,
                                           Bytes{bytes_.size()}));
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -73,7 +80,8 @@ class HeaderReader {
     if (minor < 4 || legacy > 0) return legacy;
     if (bytes_.size() < 375) fail(bytes_.size(), say::las_short_header_14(Bytes{375}));
     const double count = value(247, ScalarType::U64);
-    if (count > static_cast<double>(bytes_.size())) fail(247, say::las_too_many_points());
+    constexpr double kMostOfAByte = 16.0;  // of compressed ones
+    if (count > kMostOfAByte * static_cast<double>(bytes_.size())) fail(247, say::las_too_many_points());
     return static_cast<std::size_t>(count);
   }
 
@@ -110,45 +118,72 @@ class PointClock {
   std::vector<double> starts_s_;
 };
 
-/// Whether the points carry times at all: many files have the column and leave it at one value.
-bool has_times(const LasHeader& header, const char* points) {
-  const std::size_t at = kLayouts[header.format].time_at;
-  double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
-  for (std::size_t i = 0; at > 0 && i < header.points; ++i) {
-    const double time = read_scalar(points + i * header.record_bytes + at, ScalarType::F64, kSwapLas);
-    if (!(std::abs(time) < 5e9)) return false;
-    low = std::min(low, time);
-    high = std::max(high, time);
+/// Points of a file that is not compressed.
+void take_plain(std::string_view bytes, const LasHeader& header, const TakeRecord& take) {
+  const std::size_t time_at = kLayouts[header.format].time_at;
+  for (std::size_t i = 0; i < header.points; ++i) {
+    const char* point = bytes.data() + header.points_at + i * header.record_bytes;
+    LasRecord record;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      record.xyz[axis] = static_cast<std::int32_t>(read_scalar(point + 4 * axis, ScalarType::I32, kSwapLas));
+    record.intensity = static_cast<std::uint16_t>(read_scalar(point + 12, ScalarType::U16, kSwapLas));
+    if (time_at > 0) record.time = read_scalar(point + time_at, ScalarType::F64, kSwapLas);
+    take(record);
   }
-  return high > low;
 }
+
+void take_records(std::string_view bytes, const std::filesystem::path& path, const LasHeader& header,
+                  const TakeRecord& take) {
+  if (!header.compressed) return take_plain(bytes, header, take);
+  unpack_laz({bytes, path.string(), header.header_bytes, header.header_records, header.points_at, header.points,
+              header.record_bytes, header.format},
+             take);
+}
+
+/// Whether the points carry times at all: many files have the column and leave it at one value.
+class TimesSeen {
+ public:
+  void add(double time) {
+    known_ = known_ && std::abs(time) < 5e9;
+    low_ = std::min(low_, time);
+    high_ = std::max(high_, time);
+  }
+  bool any() const { return known_ && high_ > low_; }
+
+ private:
+  bool known_ = true;
+  double low_ = std::numeric_limits<double>::max(), high_ = std::numeric_limits<double>::lowest();
+};
 
 }  // namespace
 
 ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns,
                     PointTimes times) {
   const LasHeader header = HeaderReader(bytes, path).read();
-  const char* points = bytes.data() + header.points_at;
-  CloudColumns columns{0, 1, 2, 3, -1, -1};
-  const bool timed = has_times(header, points);
-  if (timed) columns.time = 4;
-  CloudBuilder builder(columns, {ScalarType::F64, 1.0}, header.points);
+  const bool has_column = kLayouts[header.format].time_at > 0;
+  const CloudColumns columns{0, 1, 2, 3, -1, has_column ? 4 : -1};
+  // A byte of compressed points holds one at most of all scans but those that mostly have no return.
+  CloudBuilder builder(columns, {ScalarType::F64, 1.0}, std::min(header.points, bytes.size()));
   const PointClock clock(header.whole_gps_time, stamp_ns);
-  for (std::size_t i = 0; i < header.points; ++i) {
-    const char* record = points + i * header.record_bytes;
+  TimesSeen times_seen;
+  take_records(bytes, path, header, [&](const LasRecord& record) {
     const auto coordinate = [&](std::size_t axis) {
-      return read_scalar(record + 4 * axis, ScalarType::I32, kSwapLas) * header.scale[axis] + header.offset[axis];
+      return record.xyz[axis] * header.scale[axis] + header.offset[axis];
     };
     RawPoint point{coordinate(0), coordinate(1), coordinate(2)};
-    point.intensity = read_scalar(record + 12, ScalarType::U16, kSwapLas);
-    if (timed)
-      point.time = clock.unix_s(read_scalar(record + kLayouts[header.format].time_at, ScalarType::F64, kSwapLas));
+    point.intensity = record.intensity;
+    if (has_column) {
+      times_seen.add(record.time);
+      point.time = clock.unix_s(record.time);
+    }
     builder.add(point);
-  }
+  });
+  const bool timed = has_column && times_seen.any();
+  if (!timed) builder.leave_out_times();
   ReadCloud read = builder.finish(stamp_ns, path.string(), times);
   read.columns = "x y z intensity";
-  if (kLayouts[header.format].time_at > 0) read.columns += " gps_time";
-  if (kLayouts[header.format].time_at > 0 && !timed) read.note = say::las_one_time;
+  if (has_column) read.columns += " gps_time";
+  if (has_column && !timed) read.note = say::las_one_time;
   return read;
 }
 

@@ -42,7 +42,7 @@ bool has_extension(const fs::path& file, CloudFormat format) {
     case CloudFormat::Ply:
       return extension == ".ply";
     case CloudFormat::Las:
-      return extension == ".las";
+      return extension == ".las" || extension == ".laz";
     case CloudFormat::Text:
       return is_text_cloud_name(file);
     default:

@@ -36,19 +36,8 @@ class RowParser {
     rows_.part();
     motion::InsSample sample;
     sample.stamp_ns = rows_.stamp_ns();
-    sample.latitude_rad = known(layout_.latitude) * layout_.position_unit_rad;
-    sample.longitude_rad = known(layout_.longitude) * layout_.position_unit_rad;
-    sample.height_m = known(layout_.height);
-    if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
-      rows_.fail(drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
-                     ? say::log_place_exchanged(Angle{kPi / 2.0})
-                     : say::log_place_impossible());
-    sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
-    if (layout_.position_sigma_enu)
-      for (int axis = 0; axis < 3; ++axis)
-        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[index_at(axis)]);
-    if (layout_.attitude_sigma_yaw_pitch_roll)
-      sample.sigma.attitude_rad = attitude_sigma(*layout_.attitude_sigma_yaw_pitch_roll);
+    if (layout_.holds != TableHolds::Attitudes) take_position(sample);
+    if (layout_.holds != TableHolds::Positions) take_attitude(sample);
     if (layout_.quality) sample.quality = quality();
     return sample;
   }
@@ -65,11 +54,44 @@ class RowParser {
   }
 
  private:
+  void take_position(motion::InsSample& sample) {
+    sample.latitude_rad = place(layout_.latitude, layout_.latitude_side, {'N', 'S'});
+    sample.longitude_rad = place(layout_.longitude, layout_.longitude_side, {'E', 'W'});
+    sample.height_m = known(layout_.height);
+    if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+      rows_.fail(drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
+                     ? say::log_place_exchanged(Angle{kPi / 2.0})
+                     : say::log_place_impossible());
+    if (layout_.position_sigma_enu)
+      for (int axis = 0; axis < 3; ++axis)
+        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[index_at(axis)]);
+  }
+  void take_attitude(motion::InsSample& sample) {
+    sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
+    if (layout_.attitude_sigma_yaw_pitch_roll)
+      sample.sigma.attitude_rad = attitude_sigma(*layout_.attitude_sigma_yaw_pitch_roll);
+  }
+
   /// A number that is none of those which stand for a missing one.
   double known(const ColumnRef& column) const {
     const double value = rows_.number(column);
     if (drive::means_not_known(value)) fail_not_known(column);
     return value;
+  }
+  /// @param letters of the side on which angles are positive, and of the other
+  double place(const ColumnRef& column, const std::optional<ColumnRef>& side, std::pair<char, char> letters) const {
+    // Whole numbers are as large as those that elsewhere stand for a missing one; what is none lies far from the
+    // others.
+    const bool large = layout_.position_unit == PlaceUnit::TenMillionths;
+    const double number = large ? rows_.number(column) : known(column),
+                 angle_rad = place_rad(number, layout_.position_unit);
+    if (std::isnan(angle_rad)) rows_.fail(say::ins_minutes(rows_.label(column), minutes_of_place(number)));
+    if (!side) return angle_rad;
+    const std::string text(trim(rows_.field(*side)).substr(0, 40));
+    const char letter = text.size() == 1 ? static_cast<char>(text[0] & ~0x20) : '\0';
+    if (letter != letters.first && letter != letters.second)
+      rows_.fail(say::ins_side(rows_.label(*side), text, std::string{letters.first}, std::string{letters.second}));
+    return letter == letters.first ? angle_rad : -std::abs(angle_rad);
   }
   double angle(const ColumnRef& column) const {
     const double value = rows_.number(column);
@@ -120,19 +142,32 @@ class RowParser {
   drive::AttitudeAngles logged_;
 };
 
-std::vector<ColumnRef> all_columns_of(const InsTableLayout& layout) {
-  std::vector<ColumnRef> columns = columns_of(layout);
-  if (layout.metric_position)
+void add_position_columns(const InsTableLayout& layout, std::vector<ColumnRef>& columns) {
+  if (layout.metric_position) {
     columns.insert(columns.end(), layout.metric_position->begin(), layout.metric_position->end());
-  else
-    columns.insert(columns.end(), {layout.latitude, layout.longitude, layout.height});
-  if (layout.quality) columns.push_back(*layout.quality);
+    return;
+  }
+  columns.insert(columns.end(), {layout.latitude, layout.longitude, layout.height});
+  for (const auto* side : {&layout.latitude_side, &layout.longitude_side})
+    if (*side) columns.push_back(**side);
+  if (layout.position_sigma_enu)
+    columns.insert(columns.end(), layout.position_sigma_enu->begin(), layout.position_sigma_enu->end());
+}
+
+void add_attitude_columns(const InsTableLayout& layout, std::vector<ColumnRef>& columns) {
   if (layout.quaternion)
     columns.insert(columns.end(), layout.quaternion_xyzw.begin(), layout.quaternion_xyzw.end());
   else
     columns.insert(columns.end(), layout.yaw_pitch_roll.begin(), layout.yaw_pitch_roll.end());
-  for (const auto* sigma : {&layout.position_sigma_enu, &layout.attitude_sigma_yaw_pitch_roll})
-    if (*sigma) columns.insert(columns.end(), (*sigma)->begin(), (*sigma)->end());
+  if (const auto& sigma = layout.attitude_sigma_yaw_pitch_roll)
+    columns.insert(columns.end(), sigma->begin(), sigma->end());
+}
+
+std::vector<ColumnRef> all_columns_of(const InsTableLayout& layout) {
+  std::vector<ColumnRef> columns = columns_of(layout);
+  if (layout.holds != TableHolds::Attitudes) add_position_columns(layout, columns);
+  if (layout.quality) columns.push_back(*layout.quality);
+  if (layout.holds != TableHolds::Positions) add_attitude_columns(layout, columns);
   return columns;
 }
 
@@ -180,10 +215,28 @@ std::vector<motion::InsSample> parse_ins_table(std::string_view text, const fs::
     samples.push_back(parser.sample());
     logged.push_back(parser.logged_angles());
   });
-  if (!layout.quaternion) check_angle_unit(samples, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
+  if (!layout.quaternion && layout.holds == TableHolds::Motion)
+    check_angle_unit(samples, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
   drive::keep_near(samples, path.string(), findings);
   drive::keep_ascending(samples, "ins", path.string(), findings);
   return samples;
+}
+
+std::vector<StampedAttitude> parse_attitude_table(std::string_view text, const fs::path& path,
+                                                  const InsTableLayout& layout, std::vector<drive::Finding>& findings) {
+  std::vector<motion::InsSample> samples;
+  std::vector<drive::AttitudeAngles> logged;
+  take_rows(text, path, layout, findings, Progress(), [&](RowParser& parser) {
+    samples.push_back(parser.sample());
+    logged.push_back(parser.logged_angles());
+  });
+  // Without positions only what radians cannot be tells of the unit.
+  if (!layout.quaternion) check_angle_unit({}, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
+  drive::keep_ascending(samples, "ins", path.string(), findings);
+  std::vector<StampedAttitude> attitudes;
+  for (const motion::InsSample& sample : samples)
+    attitudes.push_back({sample.stamp_ns, sample.enu_from_ins, sample.sigma.attitude_rad});
+  return attitudes;
 }
 
 std::vector<motion::StampedPose> parse_pose_table(std::string_view text, const fs::path& path,

@@ -11,7 +11,7 @@
 namespace remount::formats {
 namespace {
 
-constexpr double kMoreOften = 2.0, kGap = 5.0, kLeastGap_s = 0.25;
+constexpr double kMoreOften = 2.0;
 
 double apart_s(const motion::InsSample& from, const motion::InsSample& to) {
   return seconds(to.stamp_ns - from.stamp_ns);
@@ -29,10 +29,34 @@ Eigen::Vector3d from_origin(const motion::InsSample& sample, const motion::InsSa
           std::remainder(sample.longitude_rad - origin.longitude_rad, 2.0 * kPi), sample.height_m - origin.height_m};
 }
 
-// A sample at `attitude` between two fixes, its position on a cubic through these and their neighbours where no gap
-// parts them.
-motion::InsSample between(const std::vector<motion::InsSample>& fixes, std::size_t before,
-                          const StampedAttitude& attitude, double longest_s) {
+}  // namespace
+
+double longest_turn_s(const std::vector<StampedAttitude>& attitudes) {
+  constexpr double kLeast_s = 0.05, kOfUsual = 3.0;
+  return std::max(kLeast_s, kOfUsual * drive::median_period_s(attitudes));
+}
+
+double longest_way_s(const std::vector<motion::InsSample>& fixes) {
+  constexpr double kLeast_s = 0.25, kOfUsual = 5.0;
+  return std::max(kLeast_s, kOfUsual * drive::median_period_s(fixes));
+}
+
+std::optional<AttitudeAt> attitude_at(const std::vector<StampedAttitude>& attitudes, std::int64_t stamp_ns,
+                                      double longest_s) {
+  const auto after = std::ranges::lower_bound(attitudes, stamp_ns, {}, &StampedAttitude::stamp_ns);
+  if (after == attitudes.end()) return std::nullopt;
+  if (after->stamp_ns == stamp_ns) return AttitudeAt{after->enu_from_ins.normalized(), after->sigma_rad, true};
+  if (after == attitudes.begin()) return std::nullopt;
+  const StampedAttitude& before = *(after - 1);
+  const double step_s = seconds(after->stamp_ns - before.stamp_ns);
+  if (step_s > longest_s) return std::nullopt;
+  const double share =
+      static_cast<double>(stamp_ns - before.stamp_ns) / static_cast<double>(after->stamp_ns - before.stamp_ns);
+  return AttitudeAt{before.enu_from_ins.slerp(share, after->enu_from_ins).normalized(), after->sigma_rad, false};
+}
+
+motion::InsSample sample_between(const std::vector<motion::InsSample>& fixes, std::size_t before,
+                                 const StampedAttitude& attitude, double longest_s) {
   const motion::InsSample &from = fixes[before], &to = fixes[before + 1];
   motion::CubicNeighbours around;
   around.has_first = before > 0 && apart_s(fixes[before - 1], from) <= longest_s;
@@ -54,8 +78,6 @@ motion::InsSample between(const std::vector<motion::InsSample>& fixes, std::size
   return sample;
 }
 
-}  // namespace
-
 SamplesBetweenFixes samples_between_fixes(std::vector<motion::InsSample> at_fixes,
                                           const std::vector<StampedAttitude>& attitudes) {
   const double period_s = drive::median_period_s(at_fixes), attitude_s = drive::median_period_s(attitudes);
@@ -64,7 +86,7 @@ SamplesBetweenFixes samples_between_fixes(std::vector<motion::InsSample> at_fixe
     out.ins = std::move(at_fixes);
     return out;
   }
-  const double longest_s = std::max(kLeastGap_s, kGap * period_s);
+  const double longest_s = longest_way_s(at_fixes);
   for (const motion::InsSample& sample : at_fixes) out.fix_stamps_ns.push_back(sample.stamp_ns);
   auto next = attitudes.begin();
   for (std::size_t k = 0; k < at_fixes.size(); ++k) {
@@ -72,7 +94,7 @@ SamplesBetweenFixes samples_between_fixes(std::vector<motion::InsSample> at_fixe
     if (k + 1 == at_fixes.size() || apart_s(at_fixes[k], at_fixes[k + 1]) > longest_s) continue;
     while (next != attitudes.end() && next->stamp_ns <= at_fixes[k].stamp_ns) ++next;
     for (; next != attitudes.end() && next->stamp_ns < at_fixes[k + 1].stamp_ns; ++next)
-      out.ins.push_back(between(at_fixes, k, *next, longest_s));
+      out.ins.push_back(sample_between(at_fixes, k, *next, longest_s));
   }
   return out;
 }

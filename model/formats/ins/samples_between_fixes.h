@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algorithms/motion/ins_sample.h"
@@ -13,6 +14,25 @@ struct StampedAttitude {
   Eigen::Quaterniond enu_from_ins = Eigen::Quaterniond::Identity();
   Eigen::Vector3d sigma_rad = Eigen::Vector3d::Zero();
 };
+
+/// The attitude at a stamp.
+struct AttitudeAt {
+  Eigen::Quaterniond enu_from_ins = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d sigma_rad = Eigen::Vector3d::Zero();
+  bool of_this_stamp = false;  ///< else turned between two
+};
+/// Nothing outside of the attitudes and across a gap. @param attitudes ascending stamps
+std::optional<AttitudeAt> attitude_at(const std::vector<StampedAttitude>& attitudes, std::int64_t stamp_ns,
+                                      double longest_s);
+/// Across which attitudes are turned between two: three times their usual distance.
+double longest_turn_s(const std::vector<StampedAttitude>& attitudes);
+
+/// A sample at an attitude between fixes `before` and `before` + 1, its position on a cubic through these and their
+/// neighbours where no gap parts them.
+motion::InsSample sample_between(const std::vector<motion::InsSample>& fixes, std::size_t before,
+                                 const StampedAttitude& attitude, double longest_s);
+/// Across which positions are interpolated: five times their usual distance.
+double longest_way_s(const std::vector<motion::InsSample>& fixes);
 
 struct SamplesBetweenFixes {
   std::vector<motion::InsSample> ins;       ///< those given, and one at each attitude between two of them

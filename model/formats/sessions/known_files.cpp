@@ -27,7 +27,6 @@ constexpr KnownFile kApplanix{say::known_applanix, say::known_applanix_remedy};
 constexpr KnownFile kRinex{say::known_rinex, say::known_rinex_remedy};
 constexpr KnownFile kRtcm{say::known_rtcm, say::known_rtcm_remedy};
 constexpr KnownFile kKittiPoses{say::known_kitti_poses, say::known_kitti_poses_remedy};
-constexpr KnownFile kLaz{say::known_laz, say::known_laz_remedy};
 constexpr KnownFile kCloud{say::known_cloud, say::known_cloud_remedy};
 constexpr KnownFile kE57{say::known_e57, say::known_e57_remedy};
 constexpr KnownFile kDamagedBag{say::known_damaged_bag, say::known_damaged_bag_remedy};
@@ -56,6 +55,7 @@ constexpr Magic kMagics[] = {
     {"ASTM-E57", kE57},
     {"# .PCD", kCloud},
     {"VERSION .7", kCloud},
+    {"LASF", kCloud},
     {"ply\n", kCloud},
     {"ply\r", kCloud},
     {"PK\x03\x04", kArchive},
@@ -105,13 +105,6 @@ std::optional<KnownFile> known_text(const std::string& text) {
   return std::nullopt;
 }
 
-/// LAS writes into the format of its points that they are compressed.
-KnownFile las_or_laz(std::string_view head, std::string_view name) {
-  constexpr std::size_t kPointFormat = 104;
-  const bool packed = head.size() > kPointFormat && (static_cast<unsigned char>(head[kPointFormat]) & 0xc0) != 0;
-  return packed || name.ends_with(".laz") ? kLaz : kCloud;
-}
-
 }  // namespace
 
 std::optional<KnownFile> known_file(const fs::path& path) {
@@ -121,7 +114,6 @@ std::optional<KnownFile> known_file(const fs::path& path) {
     for (const Magic& magic : kMagics)
       if (head.size() >= magic.at && std::string_view(head).substr(magic.at).starts_with(magic.bytes))
         return magic.file;
-    if (head.starts_with("LASF")) return las_or_laz(head, name);
     if (head.starts_with("SQLite format 3")) return kOldDatabase;
     if (is_sbf(head)) return kSbf;
     if (is_rtcm(head)) return kRtcm;

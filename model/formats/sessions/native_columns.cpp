@@ -17,6 +17,13 @@ double angle_unit(const DocumentView& node) {
   return choice<double>(node.at("unit"), {{"deg", kPi / 180.0}, {"rad", 1.0}});
 }
 
+PlaceUnit place_unit(const DocumentView& node) {
+  return choice<PlaceUnit>(node.at("unit"), {{"deg", PlaceUnit::Degrees},
+                                             {"rad", PlaceUnit::Radians},
+                                             {"ddmm", PlaceUnit::DegreesMinutes},
+                                             {"1e-7deg", PlaceUnit::TenMillionths}});
+}
+
 ColumnRef named_column(const DocumentView& node) {
   const auto name = node.find("name");
   const auto index = node.find("index");
@@ -25,16 +32,16 @@ ColumnRef named_column(const DocumentView& node) {
 }
 
 void read_position_columns(const DocumentView& columns, InsTableLayout& layout) {
-  double units[2] = {0.0, 0.0};
-  int i = 0;
-  for (const char* key : {"latitude", "longitude"}) {
+  const auto read = [&](const char* key, ColumnRef& column, std::optional<ColumnRef>& side) {
     const DocumentView& node = columns.at(key);
-    node.allow_only({"name", "index", "unit"});
-    units[i] = angle_unit(node);
-    (i++ == 0 ? layout.latitude : layout.longitude) = named_column(node);
-  }
-  if (units[0] != units[1]) columns.fail(say::native_same_unit());
-  layout.position_unit_rad = units[0];
+    node.allow_only({"name", "index", "unit", "side"});
+    column = named_column(node);
+    if (const auto letters = node.find("side")) side = read_column(*letters);
+    return place_unit(node);
+  };
+  layout.position_unit = read("latitude", layout.latitude, layout.latitude_side);
+  if (read("longitude", layout.longitude, layout.longitude_side) != layout.position_unit)
+    columns.fail(say::native_same_unit());
   const DocumentView& height = columns.at("height");
   if (height.is_map()) {
     height.allow_only({"name", "index", "unit"});
@@ -185,6 +192,47 @@ InsTableLayout read_pose_layout(const DocumentView& columns) {
   return layout;
 }
 
+namespace {
+
+void read_position_errors(const DocumentView& columns, InsTableLayout& layout) {
+  if (const auto sigma = columns.find("position_sigma_m")) {
+    sigma->allow_only({"east", "north", "up"});
+    layout.position_sigma_enu = {read_column(sigma->at("east")), read_column(sigma->at("north")),
+                                 read_column(sigma->at("up"))};
+  }
+  if (const auto quality = columns.find("quality")) layout.quality = read_column(*quality);
+}
+
+void read_attitude_errors(const DocumentView& columns, InsTableLayout& layout) {
+  const auto sigma = columns.find("attitude_sigma");
+  if (!sigma) return;
+  sigma->allow_only({"yaw", "pitch", "roll"});
+  layout.attitude_sigma_yaw_pitch_roll = {read_column(sigma->at("yaw")), read_column(sigma->at("pitch")),
+                                          read_column(sigma->at("roll"))};
+}
+
+}  // namespace
+
+InsTableLayout read_position_layout(const DocumentView& columns) {
+  columns.allow_only({"time", "latitude", "longitude", "height", "position_sigma_m", "quality"});
+  InsTableLayout layout;
+  layout.holds = TableHolds::Positions;
+  static_cast<TimeColumns&>(layout) = read_time_columns(columns.at("time"));
+  read_position_columns(columns, layout);
+  read_position_errors(columns, layout);
+  return layout;
+}
+
+InsTableLayout read_attitude_layout(const DocumentView& columns) {
+  columns.allow_only({"time", "attitude", "attitude_sigma"});
+  InsTableLayout layout;
+  layout.holds = TableHolds::Attitudes;
+  static_cast<TimeColumns&>(layout) = read_time_columns(columns.at("time"));
+  read_attitude_columns(columns, layout);
+  read_attitude_errors(columns, layout);
+  return layout;
+}
+
 InsTableLayout read_layout(const DocumentView& columns) {
   columns.allow_only(
       {"time", "latitude", "longitude", "height", "attitude", "position_sigma_m", "attitude_sigma", "quality"});
@@ -192,17 +240,8 @@ InsTableLayout read_layout(const DocumentView& columns) {
   static_cast<TimeColumns&>(layout) = read_time_columns(columns.at("time"));
   read_position_columns(columns, layout);
   read_attitude_columns(columns, layout);
-  if (const auto sigma = columns.find("position_sigma_m")) {
-    sigma->allow_only({"east", "north", "up"});
-    layout.position_sigma_enu = {read_column(sigma->at("east")), read_column(sigma->at("north")),
-                                 read_column(sigma->at("up"))};
-  }
-  if (const auto sigma = columns.find("attitude_sigma")) {
-    sigma->allow_only({"yaw", "pitch", "roll"});
-    layout.attitude_sigma_yaw_pitch_roll = {read_column(sigma->at("yaw")), read_column(sigma->at("pitch")),
-                                            read_column(sigma->at("roll"))};
-  }
-  if (const auto quality = columns.find("quality")) layout.quality = read_column(*quality);
+  read_position_errors(columns, layout);
+  read_attitude_errors(columns, layout);
   return layout;
 }
 

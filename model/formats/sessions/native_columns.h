@@ -18,6 +18,11 @@ TimeColumns read_time_columns(const DocumentView& node);
 /// @param columns the map `ins.columns`
 InsTableLayout read_layout(const DocumentView& columns);
 
+/// Where positions and attitudes stand in tables of their own. @param columns the maps `ins.columns` and
+/// `ins.attitude.columns`
+InsTableLayout read_position_layout(const DocumentView& columns);
+InsTableLayout read_attitude_layout(const DocumentView& columns);
+
 /// @param columns the map `ins_poses.columns`: positions in a metric world
 InsTableLayout read_pose_layout(const DocumentView& columns);
 

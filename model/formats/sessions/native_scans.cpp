@@ -78,6 +78,7 @@ ListedScans listed_scans(const DocumentView& node, const fs::path& folder, Sessi
   listed.format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
                                                         {"ply", CloudFormat::Ply},
                                                         {"las", CloudFormat::Las},
+                                                        {"laz", CloudFormat::Las},
                                                         {"kitti-bin", CloudFormat::KittiBin},
                                                         {"text", CloudFormat::Text}});
   listed.directory = folder / node.at("directory").string();

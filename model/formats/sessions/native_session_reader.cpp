@@ -27,6 +27,7 @@
 #include "model/formats/sessions/native_declared.h"
 #include "model/formats/sessions/native_lidars.h"
 #include "model/formats/sessions/native_scans.h"
+#include "model/formats/sessions/native_two_tables.h"
 
 namespace remount::formats {
 
@@ -67,7 +68,8 @@ void read_pose_columns(const DocumentView& node, const fs::path& folder, Session
 }
 
 void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
-  node.allow_only({"file", "table", "columns"});
+  node.allow_only({"file", "table", "columns", "attitude"});
+  if (node.has("attitude")) return read_two_tables(node, folder, source, session);
   const fs::path file = folder / node.at("file").string();
   if (!node.has("columns") && read_ins_log(node.at("file"), file, session)) return;
   InsTableLayout layout = read_layout(node.at("columns"));
@@ -139,7 +141,7 @@ bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
     return false;
   if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
   // What comes anew has no lines above it, and no place in an order of names.
-  if (root.has("ins") && root.at("ins").has("table")) return false;
+  if (root.has("ins") && (root.at("ins").has("table") || root.at("ins").has("attitude"))) return false;
   if (week_is_open(root)) return false;
   if (root.has("scans") && root.at("scans").has("stamps") && root.at("scans").at("stamps").is_map()) return false;
   if (root.has("scans") && stamps_are_in_points(root.at("scans"))) return false;

@@ -12,6 +12,7 @@
 #include "tests/model/formats/allocation_meter.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 #include "tests/model/formats/las_bytes.h"
+#include "tests/model/formats/laz/made_scans.h"
 #include "tests/model/formats/mutator.h"
 #include "tests/model/formats/reader_outcome.h"
 #include "tests/model/formats/sample_files.h"
@@ -228,6 +229,9 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
   const PackedFile lidar{"lidar.txt", poses(" ", 30000)};
   LasOptions points;
   points.points.assign(100000, {1.0, 2.0, 3.0});
+  RandomValues random(3);
+  const std::vector<laz::Point> scan = laz::made_points(random, 100000, 1, {});
+  const std::string packed_las = laz::laz_of(scan, {});
   // What is compressed counts as it is unpacked; for hostile promises see above.
   const std::size_t unpacked_bytes = binary_pcd(200000).size();
   const std::vector<Sample> inputs{
@@ -253,6 +257,7 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
       {"ply", "ascii", ply("ascii", 200000)},
       {"ply", "binary", ply("binary_little_endian", 200000)},
       {"las", "points", las(points)},
+      {"las", "packed", packed_las},
       {"kitti-bin", "points", kitti_bin(200000)},
       {"scan-text", "points", repeated("1 2 3\n", 700000)},
       {"scan-text", "times", "x y z t\n" + repeated("1 2 3 4\n", 500000)},
@@ -269,7 +274,9 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
     std::cout << input.reader << ", " << input.name << ": " << (input.bytes.size() >> 10) << " KiB, memory " << times
               << " times as much\n";
     EXPECT_TRUE(outcome.read) << input.reader << ", " << input.name << ": " << outcome.text.substr(0, 400);
-    const std::size_t size = input.name == "compressed" ? unpacked_bytes : input.bytes.size();
+    const std::size_t size = input.name == "compressed" ? unpacked_bytes
+                             : input.name == "packed"   ? laz::plain_of(scan, {}).size()
+                                                        : input.bytes.size();
     EXPECT_LT(meter.peak_bytes(), 4 * size + constant_bytes(reader)) << input.reader << ", " << input.name;
   }
 }

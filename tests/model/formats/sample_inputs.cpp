@@ -13,6 +13,7 @@
 #include "tests/model/formats/bags/maker_messages.h"
 #include "tests/model/formats/bags/sqlite_fixture.h"
 #include "tests/model/formats/las_bytes.h"
+#include "tests/model/formats/laz/made_scans.h"
 #include "tests/model/formats/sample_captures.h"
 #include "tests/model/formats/sample_files.h"
 #include "tests/model/formats/sample_recordings.h"
@@ -308,6 +309,8 @@ void add_scans(Recipes& list) {
   list.push_back({"las", "1.2", las(options)});
   options.minor = 4, options.format = 6;
   list.push_back({"las", "1.4", las(options)});
+  list.push_back({"las", "packed-points", laz::made_scan(3)});
+  list.push_back({"las", "packed-layers", laz::made_scan(7)});
   list.push_back({"kitti-bin", "scan", kitti_bin(10)});
   list.push_back({"scan-text", "scan", "1 2 3 0.5\n4 5 6 0.25\n7 8 9 1\n"});
   list.push_back(

@@ -150,18 +150,18 @@ TEST_F(import_checks, columns_that_are_chosen_by_hand_are_read_in_the_units_of_t
                               ColumnRole::Roll, ColumnRole::Pitch,    ColumnRole::Yaw};
   for (std::size_t i = 0; i < kRoles.size(); ++i) give_role(data.table->table, choice.choices, i, kRoles[i]);
   EXPECT_EQ(choice.choices.time_unit_ns, 1'000'000);
-  EXPECT_FALSE(choice.choices.position_in_deg);
+  EXPECT_EQ(choice.choices.position_unit, formats::PlaceUnit::Radians);
   EXPECT_FALSE(choice.choices.attitude_in_deg);
   const ImportChecks checks = checked(data, choice);
   for (const ImportCheck& check : checks.checks)
     EXPECT_TRUE(check.verdict == Verdict::Good || check.verdict == Verdict::NotTold) << said(checks);
 
-  choice.choices.position_in_deg = true;
+  choice.choices.position_unit = formats::PlaceUnit::Degrees;
   const ImportChecks degrees = checked(data, choice);
   EXPECT_TRUE(formats::contains(said(degrees), "the title of p [rad] states \"rad\", and it is read in \"deg\""))
       << said(degrees);
   EXPECT_EQ(verdict(degrees, CheckKind::Position), Verdict::Doubtful);
-  choice.choices.position_in_deg = false;
+  choice.choices.position_unit = formats::PlaceUnit::Radians;
   give_role(data.table->table, choice.choices, column(data, "speed (km/h)"), ColumnRole::Height);
   const ImportChecks speed = checked(data, choice);
   EXPECT_TRUE(formats::contains(said(speed), "states \"km/h\", and it is read in \"m\"")) << said(speed);

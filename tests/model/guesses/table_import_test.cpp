@@ -148,7 +148,8 @@ TEST_F(table_import, a_table_of_names_that_nobody_knows_is_imported_by_hand) {
                               ColumnRole::Pitch, ColumnRole::Time,   ColumnRole::Longitude};
   for (std::size_t i = 0; i < kRoles.size(); ++i) give_role(data.table->table, choice.choices, i, kRoles[i]);
   choice.choices.attitude = AttitudeStyle::Heading;
-  choice.choices.attitude_in_deg = choice.choices.position_in_deg = true;
+  choice.choices.attitude_in_deg = true;
+  choice.choices.position_unit = formats::PlaceUnit::Degrees;
   const ImportChecks checks = checked(data, choice);
   EXPECT_EQ(verdict(checks, CheckKind::Heading), Verdict::Good) << said(checks);
   const drive::Session session = opened(description_of(data.description, choice, checks), folder.path());

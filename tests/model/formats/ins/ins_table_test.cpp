@@ -13,7 +13,8 @@ namespace {
 InsTableLayout named_layout() {
   InsTableLayout layout;
   layout.time.name = "t", layout.latitude.name = "lat", layout.longitude.name = "lon", layout.height.name = "h";
-  layout.position_unit_rad = layout.attitude_unit_rad = degrees_to_radians(1.0);
+  layout.position_unit = PlaceUnit::Degrees;
+  layout.attitude_unit_rad = degrees_to_radians(1.0);
   layout.yaw_pitch_roll = {ColumnRef{"yaw"}, ColumnRef{"pitch"}, ColumnRef{"roll"}};
   return layout;
 }

@@ -1,0 +1,158 @@
+// Latitudes and longitudes as receivers write them: degrees and minutes side by side, small parts of a degree, letters
+// for north and south.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "model/guesses/table_import.h"
+#include "tests/model/guesses/described_rows.h"
+
+namespace remount::guesses {
+namespace {
+
+/// 4807.0380000 of 48.1173 degrees, with eight digits of the minutes.
+std::string minutes_text(double angle_rad) {
+  const double degrees = std::abs(radians_to_degrees(angle_rad)), whole = std::floor(degrees);
+  char text[40];
+  std::snprintf(text, sizeof text, "%.8f", 100.0 * whole + 60.0 * (degrees - whole));
+  return text;
+}
+std::string small_text(double angle_rad) { return std::to_string(std::llround(1e7 * radians_to_degrees(angle_rad))); }
+
+class written_places : public DescribedRows {
+ protected:
+  void SetUp() override { write_scans(native_drive(), folder_.path(), ScanNames::Nanoseconds); }
+
+  using Place = std::function<Fields(const WrittenSample&)>;
+
+  Description described_as(const std::string& head, const Place& place, const std::vector<WrittenSample>& samples) {
+    write_rows(
+        folder_.path() / "motion.csv", "time_ns," + head + ",h,roll,pitch,heading\n",
+        [&](std::size_t, const WrittenSample& sample) {
+          Fields row = joined({std::to_string(sample.ins.stamp_ns)}, place(sample));
+          row.push_back(number(sample.ins.height_m));
+          return joined(row, angles(heading_angles(sample)));
+        },
+        samples);
+    return described({folder_.path()});
+  }
+
+  /// The drive somewhere else on the earth: its metres stay nearly the same.
+  static std::vector<WrittenSample> moved(double latitude_rad, double longitude_rad) {
+    std::vector<WrittenSample> samples = *samples_;
+    const motion::InsSample first = samples.front().ins;
+    const double narrower = std::cos(first.latitude_rad) / std::cos(latitude_rad);
+    for (WrittenSample& sample : samples) {
+      sample.ins.latitude_rad += latitude_rad - first.latitude_rad;
+      sample.ins.longitude_rad = longitude_rad + narrower * (sample.ins.longitude_rad - first.longitude_rad);
+    }
+    return samples;
+  }
+
+  /// Where samples are, at most, from where they were written, m.
+  static double farthest_m(const drive::Session& session, const std::vector<WrittenSample>& samples) {
+    EXPECT_EQ(session.ins.size(), samples.size());
+    constexpr double kEarth_m = 6'371'000.0;
+    double worst_m = 0.0;
+    for (std::size_t i = 0; i < std::min(session.ins.size(), samples.size()); ++i)
+      worst_m = std::max({worst_m, kEarth_m * std::abs(session.ins[i].latitude_rad - samples[i].ins.latitude_rad),
+                          kEarth_m * std::abs(session.ins[i].longitude_rad - samples[i].ins.longitude_rad)});
+    return worst_m;
+  }
+
+  formats::TemporaryFolder folder_;
+};
+
+TEST_F(written_places, in_degrees_and_minutes_are_told_by_their_size) {
+  const Description found = described_as(
+      "lat,lon",
+      [](const auto& s) {
+        return Fields{minutes_text(s.ins.latitude_rad), minutes_text(s.ins.longitude_rad)};
+      },
+      *samples_);
+  ASSERT_TRUE(found.complete());
+  const Guess* position = guess_of(found, GuessKind::Position);
+  EXPECT_EQ(position->sureness, Sureness::Likely);
+  EXPECT_TRUE(says(position->evidence, "guess-unit-is-minutes"));
+  EXPECT_EQ(guess_of(found, GuessKind::Attitude)->sureness, Sureness::Checked);
+  const drive::Session session = opened(found, folder_.path());
+  const double off_m = farthest_m(session, *samples_);
+  std::cout << "off by " << off_m << " m, motions by " << motions_apart(session, *session_) << "\n";
+  EXPECT_LT(off_m, 1e-4);
+  EXPECT_LT(motions_apart(session, *session_), 1e-4);
+}
+
+/// As a sentence of NMEA has them, south-west of zero.
+TEST_F(written_places, with_letters_for_their_sides_lie_on_these) {
+  const std::vector<WrittenSample> samples = moved(-0.41, -0.81);
+  const Description found = described_as(
+      "lat (ddmm.mmmm),N/S,lon (dddmm.mmmm),E/W",
+      [](const auto& s) {
+        return Fields{minutes_text(s.ins.latitude_rad), "S", minutes_text(s.ins.longitude_rad), "W"};
+      },
+      samples);
+  ASSERT_TRUE(found.complete());
+  EXPECT_EQ(guess_of(found, GuessKind::Position)->sureness, Sureness::Named);
+  EXPECT_EQ(guess_of(found, GuessKind::Position)->columns.size(), 5U);
+  EXPECT_EQ(guess_of(found, GuessKind::Attitude)->sureness, Sureness::Checked);
+  // The import page keeps them.
+  Progress progress;
+  const ImportData data = look_for_import({folder_.path()}, progress);
+  ASSERT_TRUE(data.table);
+  std::vector<Message> lacks;
+  const auto layout = layout_of(data.table->table, data.table->preset, lacks);
+  ASSERT_TRUE(layout && layout->latitude_side && layout->longitude_side);
+  EXPECT_EQ(layout->latitude_side->name, "N/S");
+  EXPECT_EQ(layout->longitude_side->name, "E/W");
+  EXPECT_EQ(layout->position_unit, formats::PlaceUnit::DegreesMinutes);
+  const double off_m = farthest_m(opened(found, folder_.path()), samples);
+  std::cout << "off by " << off_m << " m\n";
+  EXPECT_LT(off_m, 1e-4);
+}
+
+TEST_F(written_places, in_small_parts_of_a_degree_are_told_where_nothing_else_fits) {
+  const auto place = [](const WrittenSample& s) {
+    return Fields{small_text(s.ins.latitude_rad), small_text(s.ins.longitude_rad)};
+  };
+  const Description found = described_as("latitude,longitude", place, *samples_);
+  ASSERT_TRUE(found.complete()) << (found.not_used.empty() ? "" : english(found.not_used.front().why));
+  EXPECT_EQ(guess_of(found, GuessKind::Position)->sureness, Sureness::Likely);
+  EXPECT_TRUE(says(guess_of(found, GuessKind::Position)->evidence, "guess-unit-is-small"));
+  const double off_m = farthest_m(opened(found, folder_.path()), *samples_);
+  std::cout << "off by " << off_m << " m\n";
+  EXPECT_LT(off_m, 0.006) << "half of the last digit";
+  std::filesystem::remove(folder_.path() / "session.yaml");
+  // Millionths of a degree would be as large elsewhere.
+  const Description near_zero = described_as("latitude,longitude", place, moved(0.09, 0.02));
+  EXPECT_EQ(guess_of(near_zero, GuessKind::Position)->sureness, Sureness::Open);
+  EXPECT_TRUE(near_zero.open());
+  // A title says which it is.
+  const Description named = described_as("latitude (1e-7 deg),longitude (1e-7 deg)", place, moved(0.09, 0.02));
+  EXPECT_EQ(guess_of(named, GuessKind::Position)->sureness, Sureness::Named);
+}
+
+TEST_F(written_places, whose_minutes_reach_sixty_are_no_minutes) {
+  folder_.write("motion.csv",
+                "t,lat,lon,h,r,p,y\n1600000000,4860.0,1131.0,0,0,0,0\n1600000001,4807.0,1131.0,0,0,0,0\n");
+  formats::InsTableLayout layout;
+  layout.time.name = "t", layout.latitude.name = "lat", layout.longitude.name = "lon", layout.height.name = "h";
+  layout.yaw_pitch_roll = {formats::ColumnRef{"y", 0}, {"p", 0}, {"r", 0}};
+  layout.position_unit = formats::PlaceUnit::DegreesMinutes;
+  std::vector<drive::Finding> findings;
+  EXPECT_EQ(read_ins_table(folder_.path() / "motion.csv", layout, findings).size(), 1U);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_NE(english(findings.front().explanation).find("60.000 minutes, expected less than 60"), std::string::npos)
+      << english(findings.front().explanation);
+  folder_.write("sides.csv", "t,lat,side,lon,h,r,p,y\n1600000000,48.0,N,11.0,0,0,0,0\n1600000001,48.0,up,11,0,0,0,0\n");
+  layout.position_unit = formats::PlaceUnit::Degrees;
+  layout.latitude_side = formats::ColumnRef{"side", 0};
+  findings.clear();
+  EXPECT_EQ(read_ins_table(folder_.path() / "sides.csv", layout, findings).size(), 1U);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_NE(english(findings.front().explanation).find("holds 'up', expected N or S"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace remount::guesses
