@@ -1002,6 +1002,17 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
+    <name>remount::gui::ResidualsFeature</name>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Residuals p&amp;lot</source>
+        <translation>残差图(&amp;L)</translation>
+    </message>
+</context>
+<context>
     <name>remount::gui::ResultFeature</name>
     <message>
         <source>Result</source>
@@ -4193,6 +4204,128 @@ not observed</source>
     </message>
 </context>
 <context>
+    <name>remount::widgets::ResidualPlot</name>
+    <message>
+        <source>Residuals of the pairs</source>
+        <translation>帧对的残差</translation>
+    </message>
+    <message>
+        <source>Each pair is a point. Left and right arrow keys select the neighbouring pair, plus and minus zoom, Home shows the usual part, Space marks the selected pair, Escape takes the marks away.</source>
+        <translation>每个帧对一个点。左右方向键选择相邻帧对，加号和减号缩放，Home 显示常用范围，空格标记所选帧对，Esc 取消标记。</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>pair %1: %2, %3, %4</source>
+        <translation>帧对 %1：%2，%3，%4</translation>
+    </message>
+    <message>
+        <source>pair %1: %2, %3</source>
+        <translation>帧对 %1：%2，%3</translation>
+    </message>
+    <message>
+        <source>pair %1: %2 at %3, %4</source>
+        <translation>帧对 %1：%2（横轴 %3），%4</translation>
+    </message>
+    <message>
+        <source>No pairs yet: each pair becomes a point here.</source>
+        <translation>还没有帧对：每个帧对将成为这里的一个点。</translation>
+    </message>
+    <message>
+        <source>This method works without pairs.</source>
+        <translation>该方法不使用帧对。</translation>
+    </message>
+    <message>
+        <source>There are no pairs.</source>
+        <translation>没有帧对。</translation>
+    </message>
+    <message>
+        <source>Of no pair both values are known: choose others.</source>
+        <translation>没有一个帧对的两个量都已知：请选择其他量。</translation>
+    </message>
+    <message>
+        <source>No pair is shown: tick a state at the left.</source>
+        <translation>没有显示帧对：请在左侧勾选一种状态。</translation>
+    </message>
+    <message>
+        <source>≤ %1 pairs</source>
+        <translation>≤ %1 个帧对</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::ResidualsPanel</name>
+    <message>
+        <source>Reject marked</source>
+        <translation>拒绝已标记</translation>
+    </message>
+    <message>
+        <source>Draw a line around points with the left button: they are marked. With Shift they are marked beside those before.</source>
+        <translation>按住左键围着点画一圈即可标记。按住 Shift 则在已有标记上追加。</translation>
+    </message>
+    <message>
+        <source>What the plot holds</source>
+        <translation>图中的内容</translation>
+    </message>
+    <message>
+        <source>What the height of a point shows</source>
+        <translation>点的高度表示什么</translation>
+    </message>
+    <message>
+        <source>Over what it is drawn</source>
+        <translation>横轴表示什么</translation>
+    </message>
+    <message>
+        <source>x, y, z, roll, pitch and yaw are in the axes of the LiDAR at the later scan.</source>
+        <translation>x、y、z、横滚、俯仰和偏航取较晚一次扫描时激光雷达的坐标轴。</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <extracomment>between two lists: residual x over speed</extracomment>
+        <translation>横轴</translation>
+    </message>
+    <message>
+        <source>● accepted</source>
+        <translation>● 已接受</translation>
+    </message>
+    <message>
+        <source>✕ rejected</source>
+        <translation>✕ 已拒绝</translation>
+    </message>
+    <message>
+        <source>○ proposed</source>
+        <translation>○ 待定</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reject %n marked</source>
+        <translation>
+            <numerusform>拒绝已标记的 %n 个</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outside: double click</source>
+        <translation>
+            <numerusform>%n 个在范围外：双击</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>accepted: mean %1, std. dev. %2</source>
+        <translation>已接受：均值 %1，标准差 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a value</source>
+        <translation>
+            <numerusform>%n 个没有数值</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>marked in the plot: %1 over %2</source>
+        <extracomment>why pairs were rejected: &quot;marked in the plot: residual x over speed&quot;</extracomment>
+        <translation>在图中标记：%1（横轴：%2）</translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::ResultPanel</name>
     <message>
         <source>Solved</source>
@@ -5312,6 +5445,65 @@ Everything else works.</source>
     <message>
         <source>INS against LiDAR</source>
         <translation>INS 对激光雷达</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::residual_values</name>
+    <message>
+        <source>Residual x</source>
+        <translation>残差 x</translation>
+    </message>
+    <message>
+        <source>Residual y</source>
+        <translation>残差 y</translation>
+    </message>
+    <message>
+        <source>Residual z</source>
+        <translation>残差 z</translation>
+    </message>
+    <message>
+        <source>Residual roll</source>
+        <translation>横滚残差</translation>
+    </message>
+    <message>
+        <source>Residual pitch</source>
+        <translation>俯仰残差</translation>
+    </message>
+    <message>
+        <source>Residual yaw</source>
+        <translation>偏航残差</translation>
+    </message>
+    <message>
+        <source>Overlap of the scans</source>
+        <translation>扫描重叠率</translation>
+    </message>
+    <message>
+        <source>Time in the session</source>
+        <translation>数据内的时间</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>转动角速度</translation>
+    </message>
+    <message>
+        <source>Time between the scans</source>
+        <translation>两次扫描的时间差</translation>
+    </message>
+    <message>
+        <source>Distance between the scans</source>
+        <translation>两次扫描的距离</translation>
+    </message>
+    <message>
+        <source>Rotation between the scans</source>
+        <translation>两次扫描的转角</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>数据</translation>
     </message>
 </context>
 <context>

@@ -34,10 +34,7 @@ double doubtful_attitude2(const PairwiseInput& input, const std::vector<motion::
     double sum = 0.0, count = 0.0;
     for (const motion::Pair& pair : pairs) {
       if (!(pair.weight > 0.0) || pair.state != motion::PairState::Accepted) continue;
-      sum += difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x))
-                 .tail<3>()
-                 .squaredNorm() /
-             3.0;
+      sum += motion_residual(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x).tail<3>().squaredNorm() / 3.0;
       count += 1.0;
     }
     return count > 0.0 ? sum / count : 0.0;

@@ -11,6 +11,7 @@
 #include "app/gui/features/pairs_feature.h"
 #include "app/gui/features/project_feature.h"
 #include "app/gui/features/quality_feature.h"
+#include "app/gui/features/residuals_feature.h"
 #include "app/gui/features/result_feature.h"
 #include "app/gui/features/run_feature.h"
 #include "app/gui/features/setup_feature.h"
@@ -26,6 +27,7 @@ std::vector<MakeFeature> all_features() {
       plug<SetupFeature>(),       //
       plug<ResultFeature>(),      //
       plug<PairsFeature>(),       //
+      plug<ResidualsFeature>(),   //
       plug<PairViewFeature>(),    //
       plug<DriveFeature>(),       //
       plug<CandidatesFeature>(),  //
