@@ -127,6 +127,14 @@
         <source>Cannot be accepted, for no solution can use it</source>
         <translation>不能接受，因为任何解都用不上</translation>
     </message>
+    <message>
+        <source>take back the decision on pair %1</source>
+        <translation>撤回对帧对 %1 的决定</translation>
+    </message>
+    <message>
+        <source>take back the decisions on %1 pairs</source>
+        <translation>撤回对 %1 个帧对的决定</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::DriveFeature</name>
@@ -2586,16 +2594,6 @@ sigma: position %1 m, attitude %2°</source>
         <translation>每个帧对的误差</translation>
     </message>
     <message>
-        <source>One bar per pair. Left and right arrow keys select the neighbouring pair; up and down move the line above which Return rejects, Escape puts it back.</source>
-        <translation>每个帧对一根柱。左右方向键选择相邻帧对；上下方向键移动阈值线，回车拒绝线以上的帧对，Esc 复位。</translation>
-    </message>
-    <message>
-        <source>Drag: what is above the line is rejected when you let go.
-In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
-        <translation>拖动：松开时拒绝线以上的帧对。
-在图中：上下方向键移动阈值线，回车拒绝，Esc 复位。</translation>
-    </message>
-    <message>
         <source>pair %1: %2, %3</source>
         <translation>帧对 %1：%2，%3</translation>
     </message>
@@ -2616,10 +2614,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>帧对 %1</translation>
     </message>
     <message>
-        <source>pair %1: %2</source>
-        <translation>帧对 %1：%2</translation>
-    </message>
-    <message>
         <source>This method works without pairs.</source>
         <translation>该方法不使用帧对。</translation>
     </message>
@@ -2634,6 +2628,20 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>none of the %1 kept is above %2</source>
         <translation>保留的 %1 个中没有高于 %2 的</translation>
+    </message>
+    <message>
+        <source>One bar per pair. Left and right arrow keys select the neighbouring pair; up and down move the line above which Return rejects, Escape puts it back; plus and minus zoom.</source>
+        <translation>每个帧对一根柱。左右方向键选择相邻帧对；上下方向键移动阈值线，回车拒绝线以上的帧对，Esc 复位；加号和减号缩放。</translation>
+    </message>
+    <message>
+        <source>Drag: what is above the line is rejected when you let go. The line stays: pulled back, it gives back what it rejected.
+In the chart: Up and Down move it, Return applies it, Escape puts it away.</source>
+        <translation>拖动：松开时拒绝线以上的帧对。线停留在那里：向上拉回则还回它所拒绝的帧对。
+在图中：上下方向键移动阈值线，回车执行，Esc 收起。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 kept are above %3</source>
+        <translation>保留的 %2 个中有 %1 个高于 %3</translation>
     </message>
 </context>
 <context>
@@ -2661,6 +2669,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>none of the %1 kept is above</source>
         <translation>保留的 %1 个中没有更高的</translation>
+    </message>
+    <message>
+        <source>Return rejects %1 of %2</source>
+        <translation>按回车拒绝 %2 个中的 %1 个</translation>
     </message>
 </context>
 <context>
