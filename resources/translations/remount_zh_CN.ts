@@ -4120,6 +4120,10 @@ not observed</source>
         <source>For you to tick when these pages have convinced you. The step &quot;Check&quot; is done then; another result is unconfirmed again.</source>
         <translation>看过这些页面并已信服时请勾选。步骤“检查”随即完成；结果一变，又回到未确认。</translation>
     </message>
+    <message>
+        <source>What sigma is made of</source>
+        <translation>sigma 的构成</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::RangePanel</name>
@@ -4865,6 +4869,46 @@ Everything else works.</source>
     <message>
         <source>No row is clearly sharper than the result. Differences below %1 % (here %2 mm) are less than this measure can tell: the order of such rows is chance.</source>
         <translation>没有哪一行明显比结果更清晰。小于 %1 %（此处 %2 mm）的差别是这一指标分辨不了的：这些行的顺序出于偶然。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::SigmaBars</name>
+    <message>
+        <source>What the sigma of each parameter is made of</source>
+        <translation>每个参数的 sigma 由什么构成</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>俯仰</translation>
+    </message>
+    <message>
+        <source>%1: %2
+%3, %4 % of the variance</source>
+        <translation>%1：%2
+%3，占方差的 %4 %</translation>
+    </message>
+    <message>
+        <source>not observed</source>
+        <translation>未观测</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::SigmaBudgetView</name>
+    <message>
+        <source>Parts of the sigmas</source>
+        <translation>sigma 的各组成部分</translation>
+    </message>
+    <message>
+        <source>After a calibration: where the sigma of each parameter comes from.</source>
+        <translation>标定之后：每个参数的 sigma 从何而来。</translation>
+    </message>
+    <message>
+        <source>Each bar is the variance (sigma squared) of a parameter, parted by where it comes from; the table has the root of each part. The widest part is what to make better first.</source>
+        <translation>每根条是一个参数的方差（sigma 的平方），按来源划分；表中为各部分的平方根。最宽的部分最值得先改进。</translation>
+    </message>
+    <message>
+        <source>This result does not tell what its sigmas are made of: it is of another method, of several LiDARs together, of a former version, or has no usable X.</source>
+        <translation>此结果没有说明其 sigma 的构成：它来自其他方法、多个激光雷达的共同解或旧版本，或没有可用的 X。</translation>
     </message>
 </context>
 <context>
