@@ -80,6 +80,19 @@ void CalibrationResult::set_measured(ParameterSet parameters) {
   for (const Parameter parameter : kParameters) known[parameter].measured = parameters.contains(parameter);
 }
 
+bool sigma_parts_add_up(const CalibrationResult& result) {
+  constexpr double kTolerance = 1e-3;  // of the variance
+  if (result.sigma_parts.empty()) return false;
+  for (const Parameter parameter : kParameters) {
+    if (!result.known[parameter].observed) continue;
+    double sum = 0.0;
+    for (const SigmaPart& part : result.sigma_parts) sum += part.sigma[parameter] * part.sigma[parameter];
+    const double variance = result.covariance(row_of(parameter), row_of(parameter));
+    if (!(std::abs(sum - variance) <= kTolerance * variance)) return false;
+  }
+  return true;
+}
+
 bool is_usable(const CalibrationResult& result) { return is_solved(result.status) && !result.observed().empty(); }
 
 TimeOffset mean_time_offset(const std::vector<double>& offsets_s, const std::vector<double>& sigmas_s) {

@@ -75,6 +75,12 @@ struct Estimate {
   Message why_not_observed;
 };
 
+/// A part of what the sigmas are made of.
+struct SigmaPart {
+  Message source;              ///< "noise of the registrations"
+  PerParameter<double> sigma;  ///< m, rad: the root of what it adds to the variance
+};
+
 struct TimeOffset {
   double offset_s = std::numeric_limits<double>::quiet_NaN();  ///< t_ins = t_lidar + offset; NaN where not estimated
   double sigma_s = std::numeric_limits<double>::quiet_NaN();
@@ -97,6 +103,9 @@ struct CalibrationResult {
   /// and are not a number: ask `known`, not them.
   Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
   std::vector<ObservabilityDirection> directions;
+  /// In the order in which they came in. Their squares add up to the variance of each parameter that is observed
+  /// (sigma_parts_add_up); empty where the method does not tell them.
+  std::vector<SigmaPart> sigma_parts;
 
   cloud::BeamEstimate beams;  ///< errors of the LiDAR's beams, to be added to what it measured
 
@@ -143,6 +152,10 @@ bool stands_out(double value, double sigma, double least);
 bool position_lag_stands_out(double lag_s, double sigma_s);
 /// Likewise of any session.
 bool position_lag_differs(const CalibrationResult& result);
+
+/// Whether the parts are all that the sigmas are made of: what changed a covariance without telling why, as a solution
+/// together with other LiDARs does, leaves parts that do not.
+bool sigma_parts_add_up(const CalibrationResult& result);
 
 /// Whether X may be used at all: the status is ok or degenerate and something is observed.
 bool is_usable(const CalibrationResult& result);

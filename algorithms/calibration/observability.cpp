@@ -261,14 +261,30 @@ Message solved_message(const CalibrationResult& result) {
 
 bool yaw_is_open(const CalibrationResult& result) { return !result.known[Parameter::Yaw].observed; }
 
+void add_sigma_part(const Message& source, const Vector6d& variance, CalibrationResult& result) {
+  const auto same = std::ranges::find(result.sigma_parts, source, &SigmaPart::source);
+  SigmaPart& part = same != result.sigma_parts.end() ? *same : result.sigma_parts.emplace_back(SigmaPart{source, {}});
+  for (const Parameter parameter : kParameters) {
+    double& sigma = part.sigma[parameter];
+    sigma = std::sqrt(std::max(0.0, sigma * sigma + variance[row_of(parameter)]));
+  }
+}
+
 void widen_angles(const Eigen::Vector3d& off_rad, const SolveOptions& options, CalibrationResult& result) {
+  if (!result.sigma_parts.empty()) {
+    Vector6d variance = Vector6d::Zero();
+    variance.tail<3>() = off_rad.cwiseAbs2();
+    add_sigma_part(say::sigma_part_open_rotation(), variance, result);
+  }
   result.covariance.diagonal().tail<3>() += off_rad.cwiseAbs2();
   withdraw_unobserved(options, say::unknown_turns_with_rotation(), result);
 }
 
 void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);
-  result.covariance += parameter_covariance(result.mounting.reference_from_sensor, doubt * doubt.transpose());
+  const Matrix6d added = parameter_covariance(result.mounting.reference_from_sensor, doubt * doubt.transpose());
+  result.covariance += added;
+  if (!result.sigma_parts.empty()) add_sigma_part(reason, added.diagonal(), result);
   withdraw_unobserved(options, reason, result);
   for (ObservabilityDirection& direction : result.directions) {
     if (!direction.observed) continue;

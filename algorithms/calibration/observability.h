@@ -92,6 +92,9 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
 /// it says why: "x (forward): not known, `reason`".
 void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result);
 
+/// Counts `variance` of the parameters (m^2, rad^2, rows as row_of has them) to the part that has this source.
+void add_sigma_part(const Message& source, const Vector6d& variance, CalibrationResult& result);
+
 /// Widens yaw, pitch and roll of a judged result by as much as they may be off with a rotation that the drive leaves
 /// open, each for itself. The directions stay: they are turns about axes of the INS, and not of what the angles count
 /// from.

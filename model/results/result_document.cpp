@@ -79,6 +79,21 @@ struct BootstrapSigmaNotation {
   }
 };
 
+/// Null where it is not a number.
+struct PartNotation {
+  DocumentNode write(const calibration::PerParameter<double>& part) const {
+    Sigmas sigmas;
+    for (const Parameter parameter : calibration::kParameters)
+      if (std::isfinite(part[parameter])) sigmas[parameter] = part[parameter];
+    return kSigmas.write(sigmas);
+  }
+  void read(const formats::DocumentView& view, calibration::PerParameter<double>& part) const {
+    Sigmas sigmas;
+    kSigmas.read(view, sigmas);
+    for (const Parameter parameter : calibration::kParameters) part[parameter] = sigmas[parameter].value_or(kNan);
+  }
+};
+
 /// Row by row; null where it is not a number.
 struct SixRows {
   DocumentNode write(const Matrix6d& matrix) const {
@@ -162,6 +177,11 @@ void describe(formats::RecordOf<ObservabilityDirection> auto& direction, auto& f
   fields("sigma", direction.sigma, formats::Number{std::numeric_limits<double>::infinity()});
   fields("observed", direction.observed);
   fields("words", direction.words);
+}
+
+void describe(formats::RecordOf<SigmaPart> auto& part, auto& fields) {
+  fields("source", part.source);
+  fields("sigma", part.sigma, results::PartNotation());
 }
 
 }  // namespace remount::calibration
@@ -273,6 +293,7 @@ void describe(formats::RecordOf<ResultFile> auto& file, auto& fields) {
                formats::Through{formats::plots_document, formats::plots_from_document});
   fields.where(!result.beams.empty(), "beams", result.beams, BeamNotation());
   fields.later("directions", result.directions);
+  fields.where(!result.sigma_parts.empty(), "sigma_parts", result.sigma_parts);
   fields.later("nominal_ins_from_lidar", file.nominal_ins_from_lidar);
   fields.later("map_sharpness", file.sharpness);
   fields("candidates", result.candidates);

@@ -96,6 +96,30 @@
     </message>
 </context>
 <context>
+    <name>remount::widgets::ResidualsPanel</name>
+    <message numerus="yes">
+        <source>Reject %n marked</source>
+        <translation>
+            <numerusform>Reject %n marked</numerusform>
+            <numerusform>Reject %n marked</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outside: double click</source>
+        <translation>
+            <numerusform>%n outside: double click</numerusform>
+            <numerusform>%n outside: double click</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a value</source>
+        <translation>
+            <numerusform>%n without a value</numerusform>
+            <numerusform>%n without a value</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::ResultPanel</name>
     <message numerus="yes">
         <source>%n pairs: %1 accepted, %2 rejected</source>

@@ -170,6 +170,14 @@
         <source>Cannot be accepted, for no solution can use it</source>
         <translation>不能接受，因为任何解都用不上</translation>
     </message>
+    <message>
+        <source>take back the decision on pair %1</source>
+        <translation>撤回对帧对 %1 的决定</translation>
+    </message>
+    <message>
+        <source>take back the decisions on %1 pairs</source>
+        <translation>撤回对 %1 个帧对的决定</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::DriveFeature</name>
@@ -1108,6 +1116,17 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>The report is not written: the result changed while it waited for the comparison of the map. Ask for it again.</source>
         <translation>未写出报告：等待地图比较期间结果已改变。请重新生成。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::ResidualsFeature</name>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Residuals p&amp;lot</source>
+        <translation>残差图(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -2742,16 +2761,6 @@ sigma: position %1 m, attitude %2°</source>
         <translation>每个帧对的误差</translation>
     </message>
     <message>
-        <source>One bar per pair. Left and right arrow keys select the neighbouring pair; up and down move the line above which Return rejects, Escape puts it back.</source>
-        <translation>每个帧对一根柱。左右方向键选择相邻帧对；上下方向键移动阈值线，回车拒绝线以上的帧对，Esc 复位。</translation>
-    </message>
-    <message>
-        <source>Drag: what is above the line is rejected when you let go.
-In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
-        <translation>拖动：松开时拒绝线以上的帧对。
-在图中：上下方向键移动阈值线，回车拒绝，Esc 复位。</translation>
-    </message>
-    <message>
         <source>pair %1: %2, %3</source>
         <translation>帧对 %1：%2，%3</translation>
     </message>
@@ -2772,10 +2781,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>帧对 %1</translation>
     </message>
     <message>
-        <source>pair %1: %2</source>
-        <translation>帧对 %1：%2</translation>
-    </message>
-    <message>
         <source>This method works without pairs.</source>
         <translation>该方法不使用帧对。</translation>
     </message>
@@ -2790,6 +2795,20 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>none of the %1 kept is above %2</source>
         <translation>保留的 %1 个中没有高于 %2 的</translation>
+    </message>
+    <message>
+        <source>One bar per pair. Left and right arrow keys select the neighbouring pair; up and down move the line above which Return rejects, Escape puts it back; plus and minus zoom.</source>
+        <translation>每个帧对一根柱。左右方向键选择相邻帧对；上下方向键移动阈值线，回车拒绝线以上的帧对，Esc 复位；加号和减号缩放。</translation>
+    </message>
+    <message>
+        <source>Drag: what is above the line is rejected when you let go. The line stays: pulled back, it gives back what it rejected.
+In the chart: Up and Down move it, Return applies it, Escape puts it away.</source>
+        <translation>拖动：松开时拒绝线以上的帧对。线停留在那里：向上拉回则还回它所拒绝的帧对。
+在图中：上下方向键移动阈值线，回车执行，Esc 收起。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 kept are above %3</source>
+        <translation>保留的 %2 个中有 %1 个高于 %3</translation>
     </message>
 </context>
 <context>
@@ -2817,6 +2836,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>none of the %1 kept is above</source>
         <translation>保留的 %1 个中没有更高的</translation>
+    </message>
+    <message>
+        <source>Return rejects %1 of %2</source>
+        <translation>按回车拒绝 %2 个中的 %1 个</translation>
     </message>
 </context>
 <context>
@@ -4356,6 +4379,10 @@ not observed</source>
         <source>For you to tick when these pages have convinced you. The step &quot;Check&quot; is done then; another result is unconfirmed again.</source>
         <translation>看过这些页面并已信服时请勾选。步骤“检查”随即完成；结果一变，又回到未确认。</translation>
     </message>
+    <message>
+        <source>What sigma is made of</source>
+        <translation>sigma 的构成</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::RangePanel</name>
@@ -4449,6 +4476,128 @@ not observed</source>
     <message>
         <source>Removes what was kept for good</source>
         <translation>永久删除所保留的内容</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::ResidualPlot</name>
+    <message>
+        <source>Residuals of the pairs</source>
+        <translation>帧对的残差</translation>
+    </message>
+    <message>
+        <source>Each pair is a point. Left and right arrow keys select the neighbouring pair, plus and minus zoom, Home shows the usual part, Space marks the selected pair, Escape takes the marks away.</source>
+        <translation>每个帧对一个点。左右方向键选择相邻帧对，加号和减号缩放，Home 显示常用范围，空格标记所选帧对，Esc 取消标记。</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>pair %1: %2, %3, %4</source>
+        <translation>帧对 %1：%2，%3，%4</translation>
+    </message>
+    <message>
+        <source>pair %1: %2, %3</source>
+        <translation>帧对 %1：%2，%3</translation>
+    </message>
+    <message>
+        <source>pair %1: %2 at %3, %4</source>
+        <translation>帧对 %1：%2（横轴 %3），%4</translation>
+    </message>
+    <message>
+        <source>No pairs yet: each pair becomes a point here.</source>
+        <translation>还没有帧对：每个帧对将成为这里的一个点。</translation>
+    </message>
+    <message>
+        <source>This method works without pairs.</source>
+        <translation>该方法不使用帧对。</translation>
+    </message>
+    <message>
+        <source>There are no pairs.</source>
+        <translation>没有帧对。</translation>
+    </message>
+    <message>
+        <source>Of no pair both values are known: choose others.</source>
+        <translation>没有一个帧对的两个量都已知：请选择其他量。</translation>
+    </message>
+    <message>
+        <source>No pair is shown: tick a state at the left.</source>
+        <translation>没有显示帧对：请在左侧勾选一种状态。</translation>
+    </message>
+    <message>
+        <source>≤ %1 pairs</source>
+        <translation>≤ %1 个帧对</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::ResidualsPanel</name>
+    <message>
+        <source>Reject marked</source>
+        <translation>拒绝已标记</translation>
+    </message>
+    <message>
+        <source>Draw a line around points with the left button: they are marked. With Shift they are marked beside those before.</source>
+        <translation>按住左键围着点画一圈即可标记。按住 Shift 则在已有标记上追加。</translation>
+    </message>
+    <message>
+        <source>What the plot holds</source>
+        <translation>图中的内容</translation>
+    </message>
+    <message>
+        <source>What the height of a point shows</source>
+        <translation>点的高度表示什么</translation>
+    </message>
+    <message>
+        <source>Over what it is drawn</source>
+        <translation>横轴表示什么</translation>
+    </message>
+    <message>
+        <source>x, y, z, roll, pitch and yaw are in the axes of the LiDAR at the later scan.</source>
+        <translation>x、y、z、横滚、俯仰和偏航取较晚一次扫描时激光雷达的坐标轴。</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <extracomment>between two lists: residual x over speed</extracomment>
+        <translation>横轴</translation>
+    </message>
+    <message>
+        <source>● accepted</source>
+        <translation>● 已接受</translation>
+    </message>
+    <message>
+        <source>✕ rejected</source>
+        <translation>✕ 已拒绝</translation>
+    </message>
+    <message>
+        <source>○ proposed</source>
+        <translation>○ 待定</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reject %n marked</source>
+        <translation>
+            <numerusform>拒绝已标记的 %n 个</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outside: double click</source>
+        <translation>
+            <numerusform>%n 个在范围外：双击</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>accepted: mean %1, std. dev. %2</source>
+        <translation>已接受：均值 %1，标准差 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a value</source>
+        <translation>
+            <numerusform>%n 个没有数值</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>marked in the plot: %1 over %2</source>
+        <extracomment>why pairs were rejected: &quot;marked in the plot: residual x over speed&quot;</extracomment>
+        <translation>在图中标记：%1（横轴：%2）</translation>
     </message>
 </context>
 <context>
@@ -5125,6 +5274,46 @@ Dragging to the side, Left and Right move it along the surface, Up and Down to t
     </message>
 </context>
 <context>
+    <name>remount::widgets::SigmaBars</name>
+    <message>
+        <source>What the sigma of each parameter is made of</source>
+        <translation>每个参数的 sigma 由什么构成</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>俯仰</translation>
+    </message>
+    <message>
+        <source>%1: %2
+%3, %4 % of the variance</source>
+        <translation>%1：%2
+%3，占方差的 %4 %</translation>
+    </message>
+    <message>
+        <source>not observed</source>
+        <translation>未观测</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::SigmaBudgetView</name>
+    <message>
+        <source>Parts of the sigmas</source>
+        <translation>sigma 的各组成部分</translation>
+    </message>
+    <message>
+        <source>After a calibration: where the sigma of each parameter comes from.</source>
+        <translation>标定之后：每个参数的 sigma 从何而来。</translation>
+    </message>
+    <message>
+        <source>Each bar is the variance (sigma squared) of a parameter, parted by where it comes from; the table has the root of each part. The widest part is what to make better first.</source>
+        <translation>每根条是一个参数的方差（sigma 的平方），按来源划分；表中为各部分的平方根。最宽的部分最值得先改进。</translation>
+    </message>
+    <message>
+        <source>This result does not tell what its sigmas are made of: it is of another method, of several LiDARs together, of a former version, or has no usable X.</source>
+        <translation>此结果没有说明其 sigma 的构成：它来自其他方法、多个激光雷达的共同解或旧版本，或没有可用的 X。</translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::StepBar</name>
     <message>
         <source>Open the recorded sessions of one vehicle</source>
@@ -5733,6 +5922,65 @@ Dragging to the side, Left and Right move it along the surface, Up and Down to t
     <message>
         <source>INS against LiDAR</source>
         <translation>INS 对激光雷达</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::residual_values</name>
+    <message>
+        <source>Residual x</source>
+        <translation>残差 x</translation>
+    </message>
+    <message>
+        <source>Residual y</source>
+        <translation>残差 y</translation>
+    </message>
+    <message>
+        <source>Residual z</source>
+        <translation>残差 z</translation>
+    </message>
+    <message>
+        <source>Residual roll</source>
+        <translation>横滚残差</translation>
+    </message>
+    <message>
+        <source>Residual pitch</source>
+        <translation>俯仰残差</translation>
+    </message>
+    <message>
+        <source>Residual yaw</source>
+        <translation>偏航残差</translation>
+    </message>
+    <message>
+        <source>Overlap of the scans</source>
+        <translation>扫描重叠率</translation>
+    </message>
+    <message>
+        <source>Time in the session</source>
+        <translation>数据内的时间</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>转动角速度</translation>
+    </message>
+    <message>
+        <source>Time between the scans</source>
+        <translation>两次扫描的时间差</translation>
+    </message>
+    <message>
+        <source>Distance between the scans</source>
+        <translation>两次扫描的距离</translation>
+    </message>
+    <message>
+        <source>Rotation between the scans</source>
+        <translation>两次扫描的转角</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>数据</translation>
     </message>
 </context>
 <context>

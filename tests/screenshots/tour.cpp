@@ -105,7 +105,7 @@ class Tour {
     if (auto* dock = window().findChild<QDockWidget*>(name)) dock->raise();
   }
   void docks() {
-    for (const char* name : {"candidates", "log", "drive"}) {
+    for (const char* name : {"residuals", "candidates", "log", "drive"}) {
       raise(name);
       save(window(), name);
     }

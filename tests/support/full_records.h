@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "messages/parameters.h"
 #include "messages/places.h"
 #include "messages/plots.h"
 #include "messages/quantities.h"
@@ -33,6 +34,10 @@ inline calibration::CalibrationResult full_calibration_result() {
   result.directions = {
       {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, Message::verbatim("height z: flat driving")},
       {Vector6d::Unit(0), 0.25, true, Message::verbatim("x")}};
+  calibration::SigmaPart part{say::sigma_part_registration(), {}};
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    part.sigma[parameter] = parameter == calibration::Parameter::Z ? std::nan("") : 0.001 * (1 + row_of(parameter));
+  result.sigma_parts = {part, {Message::verbatim("clocks"), part.sigma}};
   result.beams.nodes = full_nodes();
   result.beams.errors.setLinSpaced(full_nodes().errors(), -0.01, 0.02);
   result.beams.sigmas.setConstant(full_nodes().errors(), 0.001);

@@ -61,15 +61,17 @@ REMOUNT_MEMBERS(results::InputFile, session, file, bytes, sha256)
 REMOUNT_MEMBERS(results::UsedTopics, session, topics, asked)
 REMOUNT_MEMBERS(calibration::Candidate, source, ins_from_lidar, frobenius_sum, in_range, out_of_range, certified_gap)
 REMOUNT_MEMBERS(calibration::ObservabilityDirection, direction, sigma, observed, words)
+REMOUNT_MEMBERS(calibration::SigmaPart, source, sigma)
 REMOUNT_MEMBERS(calibration::Knowledge, observed, measured, bootstrap_sigma, why_not_observed)
 REMOUNT_MEMBERS(calibration::TimeOffset, offset_s, sigma_s, applied, in_sigma)
 REMOUNT_MEMBERS(calibration::Mounting, reference, sensor, reference_from_sensor)
 REMOUNT_MEMBERS(calibration::NoiseModel, ins_position_sigma_m, ins_attitude_sigma_rad, registration_scale,
                 registration_floor_m, registration_floor_rad, ins_position_drift, ins_attitude_drift)
-REMOUNT_MEMBERS(calibration::CalibrationResult, status, message, advice, mounting, known, covariance, directions, beams,
-                noise, session_disagreement, pairs_proposed, pairs_accepted, pairs_rejected, frobenius_sum,
-                rotation_rms_rad, translation_rms_m, time_offset, session_time_offset_s, session_time_offset_sigma_s,
-                session_position_lag_s, session_position_lag_sigma_s, position_lag_applied, candidates)
+REMOUNT_MEMBERS(calibration::CalibrationResult, status, message, advice, mounting, known, covariance, directions,
+                sigma_parts, beams, noise, session_disagreement, pairs_proposed, pairs_accepted, pairs_rejected,
+                frobenius_sum, rotation_rms_rad, translation_rms_m, time_offset, session_time_offset_s,
+                session_time_offset_sigma_s, session_position_lag_s, session_position_lag_sigma_s, position_lag_applied,
+                candidates)
 REMOUNT_MEMBERS(results::ResultFile, method, result, quantities, plots, ins_axes, nominal_ins_from_lidar, pairs,
                 sharpness, findings, version, settings, inputs, topics)
 REMOUNT_MEMBERS(results::LidarResult, name, joined, file)

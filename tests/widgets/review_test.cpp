@@ -1,6 +1,7 @@
 // Review of pairs: reasons, the line in the chart, keys, and how X moved.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QInputDialog>
@@ -9,6 +10,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QWheelEvent>
 #include <atomic>
 #include <thread>
 
@@ -17,6 +19,7 @@
 #include "app/gui/features/help_feature.h"
 #include "app/gui/workbench/wording.h"
 #include "model/project/project.h"
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/pairs/error_bar_chart.h"
 #include "widgets/pairs/pairs_panel.h"
@@ -180,6 +183,88 @@ TEST_F(review, a_drag_that_ends_where_it_began_or_above_the_chart_rejects_nothin
   QTest::mouseRelease(&chart, Qt::LeftButton, {}, {chart.width() - 30, 0});
   EXPECT_EQ(edits_since_calibration(), 0);
   EXPECT_FALSE(chart.threshold());
+}
+
+TEST_F(review, the_line_stays_where_it_was_dropped_and_gives_back_what_it_rejected_when_it_is_pulled_back) {
+  show();
+  calibrate_drive();
+  auto& chart = child<ErrorBarChart>();
+  const auto drag_to = [&](double share) {
+    const int y = chart.handle().y() + 1, x = chart.handle().x();
+    const QPoint to(x - 40, static_cast<int>(share * chart.height()));
+    QTest::mousePress(&chart, Qt::LeftButton, {}, {x, y});
+    QTest::mouseMove(&chart, {x - 40, (y + to.y()) / 2});
+    QTest::mouseMove(&chart, to);
+    QTest::mouseRelease(&chart, Qt::LeftButton, {}, to);
+    ASSERT_TRUE(settle());
+  };
+  const auto by_user = [&] {
+    std::vector<PairIndex> pairs;
+    for (PairIndex i; i < 50U; ++i)
+      if (pair(i).decided_by == motion::DecidedBy::User && pair(i).state == motion::PairState::Rejected)
+        pairs.push_back(i);
+    return pairs;
+  };
+  drag_to(0.5);
+  ASSERT_TRUE(chart.threshold()) << "it stays";
+  const std::vector<PairIndex> deep = by_user();
+  ASSERT_GT(deep.size(), 3U);
+  EXPECT_TRUE(chart.above_threshold().empty());
+  photograph(window_, "22-line-stays");
+  drag_to(0.3);
+  const std::vector<PairIndex> high = by_user();
+  ASSERT_GT(high.size(), 0U);
+  EXPECT_LT(high.size(), deep.size()) << "pulled back, it gives back what is now below";
+  for (const PairIndex index : high) EXPECT_GT(*chart.value_of(index), *chart.threshold());
+  std::printf("the line rejected %zu pairs, pulled back %zu\n", deep.size(), high.size());
+  EXPECT_EQ(edits_since_calibration(), 2);
+  drag_to(0.0);
+  EXPECT_FALSE(chart.threshold());
+  EXPECT_TRUE(by_user().empty());
+  workbench_.history().stack().undo();
+  EXPECT_EQ(by_user(), high) << "also that is undone";
+}
+
+TEST(error_bar_chart, zooms_pans_and_shows_the_whole_again) {
+  const testing::LanguageFor english("en");
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<const drive::Session>(testing::sample_session("drive1"))};
+  auto output = std::make_shared<pipeline::PipelineOutput>(testing::sample_output(input, 3000));
+  output->pairs[1500].residual_translation_m = 0.5;
+  output->pairs[1500].state = motion::PairState::Accepted;
+  std::vector<PairIndex> all;
+  for (PairIndex i; i < 3000U; ++i) all.push_back(i);
+  ErrorBarChart chart;
+  chart.resize(500, 200);
+  chart.show();
+  chart.show_output(output);
+  chart.show_pairs(all);
+  const auto wheel = [&](const QPointF& at, int angle) {
+    QWheelEvent event(at, chart.mapToGlobal(at), {}, {0, angle}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(&chart, &event);
+  };
+  int x = 0;
+  while (x < 500 && chart.pair_at({x, 100}) != PairIndex{1500}) ++x;
+  ASSERT_LT(x, 500) << "the largest of seven pairs that share a bar is the one that is hit";
+  EXPECT_EQ(chart.pair_at({x + 1, 100}), PairIndex{1500}) << "bars are two pixels wide";
+  wheel(QPointF(x, 100), 1800);
+  EXPECT_LT(chart.seen().length(), 300.0);
+  EXPECT_TRUE(chart.seen().holds(1500.0)) << "what is under the cursor stays";
+  const double low = chart.seen().low;
+  QTest::mousePress(&chart, Qt::RightButton, {}, {200, 100});
+  QTest::mouseMove(&chart, {100, 100});
+  QTest::mouseRelease(&chart, Qt::RightButton, {}, {100, 100});
+  EXPECT_GT(chart.seen().low, low);
+  chart.show_selected(PairIndex{20});
+  EXPECT_TRUE(chart.seen().holds(20.0)) << "what is selected elsewhere comes into view";
+  const double top = chart.top_of_axis();
+  wheel(QPointF(5, 100), 240);
+  EXPECT_NEAR(chart.top_of_axis(), top / 1.44, 1e-9);
+  EXPECT_TRUE(chart.words_of(PairIndex{1500}).startsWith("pair 1500: 50 cm")) << "hovering tells it";
+  QTest::mouseDClick(&chart, Qt::LeftButton, {}, {200, 100});
+  EXPECT_EQ(chart.seen(), (AxisSpan{0.0, 3000.0}));
+  EXPECT_NEAR(chart.top_of_axis(), top, 1e-9);
 }
 
 TEST_F(review, the_chart_shows_the_pairs_of_the_table_in_its_order) {

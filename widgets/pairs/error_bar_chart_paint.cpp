@@ -46,58 +46,59 @@ void ErrorBarChart::paint_axis(QPainter& painter, const QRect& area) const {
   painter.drawText(QRect(4, 2, area.left() + 40, area.top() - 6), Qt::AlignLeft | Qt::AlignVCenter,
                    QStringLiteral("[%1]").arg(measure_unit(measure_)));
   const QRect below(area.left(), area.bottom() + 3, area.width(), height() - area.bottom() - 4);
+  const int first = std::clamp(static_cast<int>(seen_.low), 0, count() - 1),
+            last = std::clamp(static_cast<int>(std::ceil(seen_.high)) - 1, first, count() - 1);
   painter.setPen(faint_text_color(palette()));
-  painter.drawText(below, Qt::AlignLeft, tr("pair %1").arg(pairs_.front()));
-  if (count() > 1) painter.drawText(below, Qt::AlignRight, tr("pair %1").arg(pairs_.back()));
+  painter.drawText(below, Qt::AlignLeft, tr("pair %1").arg(pairs_[index_at(first)]));
+  if (last > first) painter.drawText(below, Qt::AlignRight, tr("pair %1").arg(pairs_[index_at(last)]));
 }
 
+/// Where several pairs share a bar, the largest is drawn.
 void ErrorBarChart::paint_bars(QPainter& painter, const QRect& area) const {
-  const double width = static_cast<double>(area.width()) / count();
-  const double gap = width > 4.0 ? 1.0 : 0.0;
   const double line = threshold_.value_or(std::numeric_limits<double>::infinity());
-  // Where several pairs share a column of pixels, the largest is drawn; those that are kept before those that are not.
-  struct Column {
-    double value = -1.0;
-    int place = -1;
-  };
-  std::vector<Column> columns(index_at(std::max(1, width < 1.0 ? area.width() + 1 : count())));
-  for (int place = 0; place < count(); ++place) {
-    const auto column = static_cast<std::size_t>(width < 1.0 ? place * width : place);
-    const double value = value_of(pairs_[index_at(place)]).value_or(-1.0);
-    if (columns[column].place < 0 || value > columns[column].value) columns[column] = {value, place};
-  }
-  for (const Column& column : columns) {
-    if (column.place < 0) continue;
-    const motion::Pair& shown = pair(pairs_[index_at(column.place)]);
-    const double left = area.left() + column.place * width, wide = std::max(1.0, width - gap);
-    if (column.value < 0.0) {  // never aligned: a stub on the axis, no bar
-      painter.fillRect(QRectF(left, area.bottom() + 1, wide, 2), grid_color(palette()));
+  for (const Bar& bar : bars()) {
+    const motion::PairIndex index = pairs_[index_at(bar.place)];
+    QRectF span = span_of(bar).intersected(QRectF(area.left(), 0, area.width() + 1, this->height()));
+    if (bar.value < 0.0) {  // never aligned: a stub on the axis, no bar
+      painter.fillRect(QRectF(span.left(), area.bottom() + 1, span.width(), 2), grid_color(palette()));
       continue;
     }
-    const double height = std::max(1.0, std::min(1.0, column.value / top_) * area.height());
-    const bool goes = shown.state != motion::PairState::Rejected && column.value > line;
-    painter.fillRect(QRectF(left, area.bottom() - height, wide, height),
-                     goes ? bad_color(palette()) : state_color(shown.state, palette()));
-    if (column.value > top_) painter.fillRect(QRectF(left, area.top() - 3, wide, 3), bad_color(palette()));
+    const double height = std::max(1.0, std::min(1.0, bar.value / top_) * area.height());
+    const bool goes = !is_rejected(index) && bar.value > line;
+    span.setTop(area.bottom() - height);
+    span.setHeight(height);
+    painter.fillRect(span, goes ? bad_color(palette()) : state_color(pair(index).state, palette()));
+    if (bar.value > top_) painter.fillRect(QRectF(span.left(), area.top() - 3, span.width(), 3), bad_color(palette()));
   }
+}
+
+QString ErrorBarChart::words_of(motion::PairIndex index) const {
+  const std::optional<double> value = value_of(index);
+  return tr("pair %1: %2, %3")
+      .arg(index)
+      .arg(value ? QStringLiteral("%1 %2").arg(*value, 0, 'g', 3).arg(measure_unit(measure_)) : tr("not aligned"),
+           state_text(pair(index)));
 }
 
 void ErrorBarChart::paint_selection(QPainter& painter, const QRect& area) const {
-  const int place = place_of(selected_);
-  if (place < 0) return;
-  const double width = static_cast<double>(area.width()) / count();
-  const double centre = area.left() + (place + 0.5) * width;
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawRect(
-      QRectF(centre - std::max(2.5, 0.5 * width), area.top() - 4, std::max(5.0, width), area.height() + 6));
+  const double width = bar_width();
+  const auto frame = [&](std::optional<motion::PairIndex> index, const QColor& color, int line) {
+    const int place = place_of(index);
+    const double centre = x_of(place + 0.5);
+    if (place < 0 || centre < area.left() || centre > area.right()) return;
+    painter.setPen(QPen(color, line));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(
+        QRectF(centre - std::max(2.5, 0.5 * width), area.top() - 4, std::max(5.0, width), area.height() + 6));
+  };
+  frame(hovered_, faint_text_color(palette()), 1);
+  frame(selected_, palette().color(QPalette::Highlight), 2);
+  const std::optional<motion::PairIndex> told = hovered_ ? hovered_ : selected_;
+  if (place_of(told) < 0) return;
   painter.setPen(palette().color(QPalette::Text));
-  const std::optional<double> value = value_of(*selected_);
-  painter.drawText(
-      QRect(area.left() + 44, 2, area.width() - 44, area.top() - 6), Qt::AlignRight | Qt::AlignVCenter,
-      tr("pair %1: %2")
-          .arg(*selected_)
-          .arg(value ? QStringLiteral("%1 %2").arg(*value, 0, 'g', 3).arg(measure_unit(measure_)) : tr("not aligned")));
+  const QRect room(area.left() + 44, 2, area.width() - 44, area.top() - 6);
+  painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter,
+                   fontMetrics().elidedText(words_of(*told), Qt::ElideRight, room.width()));
 }
 
 void ErrorBarChart::paint_threshold(QPainter& painter, const QRect& area) const {
@@ -116,7 +117,10 @@ void ErrorBarChart::paint_threshold(QPainter& painter, const QRect& area) const 
   painter.drawLine(area.left(), grip.y(), area.right() + 2, grip.y());
   const std::size_t above = above_threshold().size();
   const QString line = QStringLiteral("%1 %2").arg(*threshold_, 0, 'g', 3).arg(measure_unit(measure_));
-  const QString text = above > 0 ? tr("rejects %1 of %2 above %3").arg(above).arg(kept_count()).arg(line)
+  const QString text = above > 0 ? (dragging_ ? tr("rejects %1 of %2 above %3") : tr("%1 of %2 kept are above %3"))
+                                       .arg(above)
+                                       .arg(kept_count())
+                                       .arg(line)
                                  : tr("none of the %1 kept is above %2").arg(kept_count()).arg(line);
   const QFontMetrics metrics = fontMetrics();
   const int wide = metrics.horizontalAdvance(text) + 10;

@@ -25,6 +25,7 @@ ErrorChartPanel::ErrorChartPanel(QWidget* parent)
                                              .arg(threshold, 0, 'g', 3)
                                              .arg(measure_unit(measure)));
           });
+  connect(chart_, &ErrorBarChart::take_back_requested, this, &ErrorChartPanel::take_back_requested);
   auto* row = new QHBoxLayout;
   row->addWidget(measure_);
   row->addWidget(count_, 1);
@@ -36,9 +37,10 @@ ErrorChartPanel::ErrorChartPanel(QWidget* parent)
 }
 
 void ErrorChartPanel::show_count(int rejected, int of) {
-  count_->setText(of < 0          ? tr("drag ◀ to reject")
-                  : rejected == 0 ? tr("none of the %1 kept is above").arg(of)
-                                  : tr("rejects %1 of %2").arg(rejected).arg(of));
+  count_->setText(of < 0              ? tr("drag ◀ to reject")
+                  : rejected == 0     ? tr("none of the %1 kept is above").arg(of)
+                  : chart_->in_hand() ? tr("rejects %1 of %2").arg(rejected).arg(of)
+                                      : tr("Return rejects %1 of %2").arg(rejected).arg(of));
 }
 
 }  // namespace remount::widgets

@@ -20,6 +20,7 @@ class ErrorChartPanel : public QWidget {
   void measure_changed(widgets::PairMeasure measure);
   /// `reason`: of every pair above the line, "residual translation above 4.2 cm".
   void reject_requested(const std::vector<motion::PairIndex>& pairs, const QString& reason);
+  void take_back_requested(const std::vector<motion::PairIndex>& pairs);
 
  private:
   void show_count(int rejected, int of);

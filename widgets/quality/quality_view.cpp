@@ -6,6 +6,7 @@
 #include "widgets/quality/clearance_view.h"
 #include "widgets/quality/sharpness_view.h"
 #include "widgets/result/hold_out_view.h"
+#include "widgets/result/sigma_budget_view.h"
 #include "widgets/text/readable.h"
 
 namespace remount::widgets {
@@ -15,11 +16,13 @@ QualityView::QualityView(QWidget* parent)
       obstacles_(new ClearanceView),
       sharpness_(new SharpnessView),
       hold_out_(new HoldOutView),
+      sigmas_(new SigmaBudgetView),
       confirm_(new QCheckBox(tr("Result confirmed"), this)) {
   setDocumentMode(true);
   addTab(obstacles_, tr("Obstacles"));
   addTab(sharpness_, tr("Map sharpness"));
   addTab(hold_out_, tr("Session against session"));
+  addTab(sigmas_, tr("What sigma is made of"));
   confirm_->setToolTip(
       tr("For you to tick when these pages have convinced you. The step \"Check\" is done then; another result is "
          "unconfirmed again."));

@@ -1,4 +1,4 @@
-// Whether the calibration is good: distances to obstacles, the map, sessions against each other.
+// Whether the calibration is good: distances to obstacles, the map, sessions against each other, parts of the sigmas.
 #pragma once
 
 #include <QTabWidget>
@@ -10,6 +10,7 @@ namespace remount::widgets {
 class ClearanceView;
 class HoldOutView;
 class SharpnessView;
+class SigmaBudgetView;
 
 class QualityView : public QTabWidget {
   Q_OBJECT
@@ -18,6 +19,7 @@ class QualityView : public QTabWidget {
   ClearanceView* obstacles() const { return obstacles_; }
   SharpnessView* sharpness() const { return sharpness_; }
   HoldOutView* hold_out() const { return hold_out_; }
+  SigmaBudgetView* sigmas() const { return sigmas_; }
   /// Whether the user said that the result is good, and whether there is one of which that can be said.
   void show_confirmed(bool confirmed, bool possible);
   /// Behind other docks of its tabs it is visible to Qt, and nobody sees it.
@@ -35,6 +37,7 @@ class QualityView : public QTabWidget {
   ClearanceView* obstacles_;
   SharpnessView* sharpness_;
   HoldOutView* hold_out_;
+  SigmaBudgetView* sigmas_;
   QCheckBox* confirm_;
   bool on_top_ = true;
 };

@@ -9,6 +9,11 @@ RigidTransform predicted_lidar_motion(const RigidTransform& ins_b_from_ins_a, co
   return ins_from_lidar.inverse() * ins_b_from_ins_a * ins_from_lidar;
 }
 
+Vector6d motion_residual(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
+                         const RigidTransform& ins_from_lidar) {
+  return difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
+}
+
 MountingEquation linearise_in_mounting(const RigidTransform& ins_b_from_ins_a,
                                        const RigidTransform& lidar_b_from_lidar_a,
                                        const RigidTransform& ins_from_lidar) {
@@ -17,7 +22,7 @@ MountingEquation linearise_in_mounting(const RigidTransform& ins_b_from_ins_a,
   const Vector3d travel_m = ins_b_from_ins_a * ins_from_lidar.translation() - ins_from_lidar.translation();
 
   MountingEquation equation;
-  equation.residual = difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
+  equation.residual = motion_residual(ins_b_from_ins_a, lidar_b_from_lidar_a, ins_from_lidar);
   equation.d_x.topLeftCorner<3, 3>() = turn;
   equation.d_x.topRightCorner<3, 3>() = lidar_from_ins * skew(travel_m);
   // The rotation part is Log(R_predicted R_measured'): a left perturbation passes through the inverse left Jacobian.

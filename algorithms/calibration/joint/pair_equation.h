@@ -8,6 +8,11 @@ namespace remount::calibration {
 /// lidar_b_from_lidar_a that the INS motion and X predict: X^-1 P X.
 RigidTransform predicted_lidar_motion(const RigidTransform& ins_b_from_ins_a, const RigidTransform& ins_from_lidar);
 
+/// How far the motion that INS and X predict is from the registered one, difference(registered, predicted): translation
+/// (m), then rotation vector (rad), in the axes of lidar b. docs/maths/pairwise.md
+Vector6d motion_residual(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
+                         const RigidTransform& ins_from_lidar);
+
 /// Linearisation of the residual r = difference(measured, predicted): translation (m) and rotation (rad) in the axes of
 /// lidar b. To first order r + d_x dX + d_a dA + d_b dB, where dX perturbs X as in `perturb`, and dA, dB = [nu;
 /// omega] move the INS poses in their own body axes: translation += R nu, R <- R Exp(omega).

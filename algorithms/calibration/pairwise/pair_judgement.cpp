@@ -39,8 +39,7 @@ Message slid_reason(const Pair& pair) {
 }
 
 void set_residual(const RigidTransform& ins_from_lidar, Pair& pair) {
-  const Vector6d residual =
-      difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
+  const Vector6d residual = motion_residual(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, ins_from_lidar);
   pair.residual_translation_m = residual.head<3>().norm();
   pair.residual_rotation_rad = residual.tail<3>().norm();
 }

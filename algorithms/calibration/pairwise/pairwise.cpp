@@ -67,7 +67,7 @@ void summarise_errors(const std::vector<Pair>& pairs, const SolveOptions& option
   double rotation2 = 0.0, translation2 = 0.0;
   for (const Pair& pair : pairs) {
     if (pair.state != motion::PairState::Accepted) continue;
-    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
+    const Vector6d residual = motion_residual(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
     translation2 += residual.head<3>().squaredNorm();
     rotation2 += residual.tail<3>().squaredNorm();
   }

@@ -14,6 +14,7 @@
 #include "algorithms/calibration/pairwise/noise_prior.h"
 #include "algorithms/calibration/pairwise/open_rotation.h"
 #include "algorithms/calibration/pairwise/session_agreement.h"
+#include "algorithms/calibration/pairwise/sigma_budget.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 
@@ -34,10 +35,7 @@ double doubtful_attitude2(const PairwiseInput& input, const std::vector<motion::
     double sum = 0.0, count = 0.0;
     for (const motion::Pair& pair : pairs) {
       if (!(pair.weight > 0.0) || pair.state != motion::PairState::Accepted) continue;
-      sum += difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x))
-                 .tail<3>()
-                 .squaredNorm() /
-             3.0;
+      sum += motion_residual(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x).tail<3>().squaredNorm() / 3.0;
       count += 1.0;
     }
     return count > 0.0 ? sum / count : 0.0;
@@ -78,10 +76,41 @@ Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& boots
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
 
-Matrix6d common_to_all_pairs(const Eigen::MatrixXd& responses, bool narrow_field, std::size_t sessions) {
+// Of `pairs`, and what is common to all of them. docs/maths/covariance.md (C19)
+Matrix6d with_common_to_all_pairs(const Matrix6d& pairs, const Eigen::MatrixXd& responses, bool narrow_field,
+                                  std::size_t sessions, SigmaBudget& budget) {
   // Surroundings of other drives are others.
-  return registration_limits(narrow_field) / static_cast<double>(std::max<std::size_t>(1, sessions)) +
-         responses * responses.transpose();
+  Matrix6d covariance =
+      pairs + registration_limits(narrow_field) / static_cast<double>(std::max<std::size_t>(1, sessions));
+  budget.reach(covariance, say::sigma_part_surroundings());
+  covariance += responses.leftCols<1>() * responses.leftCols<1>().transpose();
+  budget.reach(covariance, say::sigma_part_range_scale());
+  const Eigen::MatrixXd shared = responses.rightCols(responses.cols() - 1);
+  covariance += shared * shared.transpose();
+  budget.reach(covariance, say::sigma_part_shared());
+  return covariance;
+}
+
+// By how much the errors of X are larger than what the pairs' own say.
+struct Widenings {
+  double gathered = 1.0, by_few = 1.0, by_sessions = 1.0;
+  double all() const { return gathered * by_few * by_sessions; }
+};
+
+// The covariance that pairs give with what is known beside them.
+Matrix6d covariance_by_steps(const JointProblem& problem, const PairwiseDetails& details, const Matrix6d& trusted,
+                             const Matrix6d& beside_pairs, const Widenings& wider, const Progress& progress,
+                             SigmaBudget& budget) {
+  const auto widened = [&](const Matrix6d& information, double factor) {
+    return symmetric_inverse(Matrix6d(information / (factor * factor) + beside_pairs));
+  };
+  begin_with_sources(problem, details, widened(details.joint.information, 1.0), progress, budget);
+  budget.reach(widened(trusted, 1.0), say::sigma_part_small_turns());
+  budget.reach(widened(trusted, wider.gathered), say::sigma_part_gathered());
+  budget.reach(widened(trusted, wider.gathered * wider.by_few), say::sigma_part_few());
+  const Matrix6d covariance = widened(trusted, wider.all());
+  budget.reach(covariance, say::sigma_part_sessions());
+  return covariance;
 }
 
 // Lags that are unknowns of X move it by more than the solution says. docs/maths/clocks.md (K13)
@@ -190,19 +219,28 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<moti
   const double log_spread = noise_prior(input).log_spread.front();
   const int motions = independent_motions(problem);
   const double by_few = widening_of_few(motions, log_spread);
-  const double wider = input.sigma_factor * by_few * widening(scatter, log_spread);
-  const Matrix6d by_pairs = trusted_information(result.directions, input.options) / (wider * wider);
+  const Widenings widenings{input.sigma_factor, by_few, widening(scatter, log_spread)};
+  const double wider = widenings.all();
+  const Matrix6d trusted = trusted_information(result.directions, input.options);
+  const Matrix6d by_pairs = trusted / (wider * wider);
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);
-  Matrix6d covariance = symmetric_inverse(by_pairs + beside_pairs);
+  SigmaBudget budget(x);
+  Matrix6d covariance = covariance_by_steps(problem, details, trusted, beside_pairs, widenings, progress, budget);
   if (tilt.most_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt.most_rad);
+  budget.reach(covariance, say::sigma_part_tilt());
   covariance += of_doubtful_lags(problem, details.joint);
+  budget.reach(covariance, say::sigma_part_lags());
   const MeasurementPulls pulls(problem, details.noise, details.joint, progress);
   const Matrix6d bootstrap = bootstrap_covariance(blocks_of_time(input, pulls.of_mounting()), 6);
   details.pairs_covariance = inflated_by_bootstrap(covariance, bootstrap);
-  details.common_covariance = common_to_all_pairs(responses_to_common_errors(input, problem, details, progress),
-                                                  input.narrow_field, sessions_used(problem));
-  judge_parameters(details.pairs_covariance + details.common_covariance, motion, input.options, result);
+  budget.reach(details.pairs_covariance, say::sigma_part_blocks());
+  const Matrix6d with_common =
+      with_common_to_all_pairs(details.pairs_covariance, responses_to_common_errors(input, problem, details, progress),
+                               input.narrow_field, sessions_used(problem), budget);
+  details.common_covariance = with_common - details.pairs_covariance;
+  judge_parameters(with_common, motion, input.options, result);
+  budget.write(result);
   // Where the INS is taken to be level, that is what the distrust of small turns is about; its error is in the
   // solution.
   const Matrix6d by_turns = motion.tilt_assumed ? Matrix6d(details.joint.information / (wider * wider)) : by_pairs;

@@ -12,6 +12,7 @@
 #include "app/gui/features/pairs_feature.h"
 #include "app/gui/features/project_feature.h"
 #include "app/gui/features/quality_feature.h"
+#include "app/gui/features/residuals_feature.h"
 #include "app/gui/features/result_feature.h"
 #include "app/gui/features/run_feature.h"
 #include "app/gui/features/section_feature.h"
@@ -29,6 +30,7 @@ std::vector<MakeFeature> all_features() {
       plug<ResultFeature>(),        //
       plug<PairsFeature>(),         //
       plug<SectionFeature>(),       //
+      plug<ResidualsFeature>(),     //
       plug<PairViewFeature>(),      //
       plug<ContactSheetFeature>(),  //
       plug<DriveFeature>(),         //

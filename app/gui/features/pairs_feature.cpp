@@ -156,6 +156,7 @@ void PairsFeature::connect_panels() {
   });
   connect(errors_, &widgets::ErrorChartPanel::measure_changed, pairs_, &widgets::PairsPanel::set_measure);
   connect(errors_, &widgets::ErrorChartPanel::reject_requested, this, &PairsFeature::reject_above);
+  connect(errors_, &widgets::ErrorChartPanel::take_back_requested, &workbench_.decisions(), &Decisions::take_back);
   connect(errors_->chart(), &widgets::ErrorBarChart::pair_clicked, &selection, &Selection::select);
   connect(&selection, &Selection::changed, this, [this](std::optional<motion::PairIndex> pair) {
     pairs_->show_selected(pair);

@@ -5,6 +5,7 @@
 #include "app/gui/shell/main_window.h"
 #include "widgets/map/map_view.h"
 #include "widgets/quality/quality_view.h"
+#include "widgets/result/sigma_budget_view.h"
 
 namespace remount::gui {
 
@@ -22,7 +23,11 @@ QualityFeature::QualityFeature(MainWindow& window) : Feature(window), quality_(n
 }
 
 std::vector<TurnQueue::Piece> QualityFeature::show_output_later() {
-  return {[this] { checks_->refresh(); }};
+  return {[this] { checks_->refresh(); },
+          [this] {
+            const OutputPtr output = workbench_.outcome().output();
+            quality_->sigmas()->show_result(output ? &output->result : nullptr);
+          }};
 }
 
 void QualityFeature::show_state() {

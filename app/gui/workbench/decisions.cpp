@@ -24,6 +24,13 @@ PairDecision user_decision(motion::PairIndex pair, motion::PairState state, Mess
   return {pair, state, motion::DecidedBy::User, std::move(reason)};
 }
 
+/// As if nobody had decided: the next solution judges it, unless none can use it.
+PairDecision decision_of_program(const motion::Pair& pair, motion::PairIndex index) {
+  const Message unusable = motion::unusable_reason(pair);
+  return unusable.empty() ? PairDecision{index, motion::PairState::Proposed, motion::DecidedBy::Nobody, {}}
+                          : PairDecision{index, motion::PairState::Rejected, motion::DecidedBy::Program, unusable};
+}
+
 /// "reject pair 12: moving objects".
 QString step_name(const std::vector<PairDecision>& decisions, motion::PairState state, const Message& reason) {
   const std::size_t count = decisions.size();
@@ -66,6 +73,23 @@ void Decisions::decide(const std::vector<motion::PairIndex>& pairs, motion::Pair
   if (after.empty()) return;
   const QString text = step.isEmpty() ? step_name(after, state, reason) : step;
   desk_.history.push(new DecisionCommand(*this, text, std::move(before), std::move(after)));
+}
+
+void Decisions::take_back(const std::vector<motion::PairIndex>& pairs) {
+  const OutputPtr output = outcome_.output();
+  if (!output || desk_.activity.calibrating()) return;
+  std::vector<PairDecision> before, after;
+  for (const motion::PairIndex index : pairs) {
+    if (index >= output->pairs.size()) continue;
+    const motion::Pair& pair = output->pairs[index];
+    if (pair.decided_by != motion::DecidedBy::User) continue;
+    before.push_back({index, pair.state, pair.decided_by, pair.reason});
+    after.push_back(decision_of_program(pair, index));
+  }
+  if (after.empty()) return;
+  const QString step = after.size() == 1 ? tr("take back the decision on pair %1").arg(after.front().pair)
+                                         : tr("take back the decisions on %1 pairs").arg(after.size());
+  desk_.history.push(new DecisionCommand(*this, step, std::move(before), std::move(after)));
 }
 
 void Decisions::apply(const std::vector<PairDecision>& decisions, const QString& step) {

@@ -25,6 +25,8 @@ class Decisions : public WorkbenchPart {
   /// `reason`: why, as the pair's own words; empty: by whom. `step`: the name of the edit; empty: which pairs.
   void decide(const std::vector<motion::PairIndex>& pairs, motion::PairState state, const Message& reason = {},
               const QString& step = {});
+  /// The program judges these pairs again; an edit like a decision. Those that the user did not decide stay.
+  void take_back(const std::vector<motion::PairIndex>& pairs);
   bool empty() const { return made_.empty(); }
   int count() const { return widgets::qt_count(verdicts().size()); }
   /// Of the sessions that are open, by their numbers.

@@ -16,6 +16,23 @@ TEST(pair_equation, the_residual_of_an_exact_pair_is_zero) {
   }
 }
 
+TEST(pair_equation, the_residual_is_what_was_registered_too_little_in_the_axes_of_the_later_lidar) {
+  std::mt19937_64 random(5);
+  double worst = 0.0;
+  for (int i = 0; i < 50; ++i) {
+    const RigidTransform x = testing::random_rigid(random, 1.0);
+    const search::MotionPair pair = testing::exact_pairs(random, x, 1).front();
+    const Vector6d wrong = testing::random_step(random, 0.3, 0.05);
+    // Registered so that this much, about the axes of lidar b, is missing to the motion that the INS predicts.
+    const RigidTransform predicted = predicted_lidar_motion(pair.ins_b_from_ins_a, x);
+    const RigidTransform registered = make_rigid(so3_exp(Eigen::Vector3d(-wrong.tail<3>())) * predicted.linear(),
+                                                 predicted.translation() - wrong.head<3>());
+    worst = std::max(worst, (motion_residual(pair.ins_b_from_ins_a, registered, x) - wrong).norm());
+  }
+  std::printf("six components of the residual: off by %.1e at most\n", worst);
+  EXPECT_LT(worst, 1e-12);
+}
+
 TEST(pair_equation, all_three_jacobians_agree_with_central_differences) {
   std::mt19937_64 random(2);
   constexpr double kStep = 1e-5;
