@@ -196,9 +196,8 @@ void SectionPlot::paintEvent(QPaintEvent*) {
     painter.drawText(QRectF(0.0, y - 0.5 * line, first.points.left() - 4.0, line), Qt::AlignRight | Qt::AlignVCenter,
                      QString::number(tick_mm, 'f', 0));
   }
-  painter.drawText(
-      QRectF(0.0, height() - line - 2.0, width(), line), Qt::AlignCenter,
-      tr("%1 m along the surface; across it in mm, seen from its side").arg(2.0 * section_.half_size_m.x(), 0, 'f', 1));
+  painter.drawText(QRectF(0.0, height() - line - 2.0, width(), line), Qt::AlignCenter,
+                   tr("%1 m along the surface, mm across it").arg(2.0 * section_.half_size_m.x(), 0, 'f', 1));
 }
 
 void SectionPlot::mousePressEvent(QMouseEvent* event) { pressed_x_ = event->position().x(); }

@@ -17,8 +17,9 @@ constexpr std::size_t kTogether = 2, kRecent = 6;
 }  // namespace
 
 ContactSheetFeature::ContactSheetFeature(MainWindow& window) : Feature(window), scans_(scene::make_scan_scenes()) {
-  auto& pairs = *window.feature<PairsFeature>();
-  sheet_ = new widgets::ContactSheet(pairs.filter(), pairs.marked(), &window);
+  auto* pairs = window.feature<PairsFeature>();
+  if (!pairs) return;
+  sheet_ = new widgets::ContactSheet(pairs->filter(), pairs->marked(), &window);
   window.add_view(
       {sheet_, tr("All pairs"), "contact-sheet", "show-contact-sheet", tr("&All pairs"), tr("Ctrl+Shift+A")});
   connect(sheet_, &widgets::ContactSheet::wanted, this, &ContactSheetFeature::start_missing);
@@ -31,6 +32,7 @@ ContactSheetFeature::ContactSheetFeature(MainWindow& window) : Feature(window), 
 }
 
 std::vector<TurnQueue::Piece> ContactSheetFeature::show_output_later() {
+  if (!sheet_) return {};
   return {[this] { show_output_now(); }};
 }
 
@@ -47,6 +49,7 @@ void ContactSheetFeature::show_output_now() {
 }
 
 void ContactSheetFeature::show_palette(const QPalette& palette) {
+  if (!sheet_) return;
   if (style_.dark != widgets::is_dark(palette)) {
     style_.dark = widgets::is_dark(palette);
     forget();

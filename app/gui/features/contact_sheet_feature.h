@@ -29,7 +29,7 @@ class ContactSheetFeature : public Feature {
   void take(motion::PairIndex pair, const widgets::PairThumbnail& thumbnail, const scene::PairSceneDataPtr& data);
   void show_legend();
 
-  widgets::ContactSheet* sheet_;
+  widgets::ContactSheet* sheet_ = nullptr;  // of the pairs of the table; null where there is none
   widgets::ThumbnailStyle style_;
   std::shared_ptr<const pipeline::PairSource> source_;  // of which the pictures are
   int solution_ = -1;                                   // with which
