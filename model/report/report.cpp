@@ -284,11 +284,14 @@ void Page::write_pairs() {
           words(say::report_state()), words(say::report_reason())});
   for (std::size_t i = 0; i < file_.pairs.size(); ++i) {
     const results::PairRecord& pair = file_.pairs[i];
+    // Of poses there are no scans that could be aligned.
+    const bool of_scans = pair.rmse_m > 0.0 || pair.overlap < 1.0;
+    const auto if_scans = [of_scans](std::string text) { return of_scans ? std::move(text) : std::string("–"); };
     row({std::to_string(i), std::to_string(pair.session + 1),
          formats::escape_html(formats::utc_text(pair.stamp_a_ns).substr(11, 12)),
          number("%.1f s", seconds(pair.stamp_b_ns - pair.stamp_a_ns)), number("%.2f m", pair.baseline_m),
-         number("%.1f °", radians_to_degrees(pair.rotation_rad)), number("%.1f cm", 100.0 * pair.rmse_m),
-         number("%.2f", pair.overlap), number("%.1f σ", pair.screw_score),
+         number("%.1f °", radians_to_degrees(pair.rotation_rad)), if_scans(number("%.1f cm", 100.0 * pair.rmse_m)),
+         if_scans(number("%.2f", pair.overlap)), number("%.1f σ", pair.screw_score),
          number("%.1f cm", 100.0 * pair.residual_translation_m) + " " +
              number("%.2f °", radians_to_degrees(pair.residual_rotation_rad)),
          words(state_word(pair.state)), words(pair.reason)});

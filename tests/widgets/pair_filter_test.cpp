@@ -118,6 +118,21 @@ TEST(pair_filter, finds_what_an_engineer_looks_for) {
   EXPECT_EQ(group(PairGroup::Undecided).size(), 49U);
 }
 
+TEST(pair_table_model, pairs_of_poses_have_no_scans_to_say_anything_of) {
+  auto output = output_of(3);
+  motion::Pair& of_poses = output->pairs[1];
+  of_poses.registration = {};
+  of_poses.registration.attempted = of_poses.registration.converged = true;
+  of_poses.registration.overlap = 1.0;
+  of_poses.shared_objects = 0;
+  PairTableModel model;
+  model.show_output(output, {"drive1"});
+  for (const int column : {PairTableModel::Rmse, PairTableModel::Overlap, PairTableModel::Shared}) {
+    EXPECT_EQ(model.data(model.index(1, column), Qt::DisplayRole).toString(), "–") << column;
+    EXPECT_NE(model.data(model.index(0, column), Qt::DisplayRole).toString(), "–") << column;
+  }
+}
+
 TEST(pair_filter, keeps_the_place_of_pairs_that_change_until_it_is_told_to_sort_again) {
   auto output = output_of(4);
   const auto say = [&](const std::vector<double>& residuals_m, const std::vector<const char*>& reasons) {

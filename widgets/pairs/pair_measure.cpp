@@ -16,6 +16,11 @@ bool is_aligned(const motion::Pair& pair) {
   return pair.registration.attempted && motion::unusable_reason(pair).empty();
 }
 
+bool is_from_poses(const motion::Pair& pair) {
+  // No alignment of scans leaves nothing at all.
+  return pair.registration.attempted && pair.registration.rmse_m == 0.0 && pair.registration.overlap == 1.0;
+}
+
 std::optional<double> measured(const motion::Pair& pair, PairMeasure measure) {
   double value = std::numeric_limits<double>::quiet_NaN();
   const bool aligned = is_aligned(pair);
@@ -27,7 +32,7 @@ std::optional<double> measured(const motion::Pair& pair, PairMeasure measure) {
       if (aligned) value = radians_to_degrees(pair.residual_rotation_rad);
       break;
     case PairMeasure::Rmse:
-      if (aligned || pair.registration.rmse_m > 0.0) value = 100.0 * pair.registration.rmse_m;
+      if ((aligned && !is_from_poses(pair)) || pair.registration.rmse_m > 0.0) value = 100.0 * pair.registration.rmse_m;
       break;
     case PairMeasure::Screw:
       if (aligned) value = pair.screw.score;

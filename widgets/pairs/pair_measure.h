@@ -23,4 +23,7 @@ QString measure_unit(PairMeasure measure);
 /// Whether its scans were aligned well enough to say anything: screw test and residuals mean something.
 bool is_aligned(const motion::Pair& pair);
 
+/// Whether its motion comes from poses of somebody's odometry: there are no scans to have an RMSE, overlap or objects.
+bool is_from_poses(const motion::Pair& pair);
+
 }  // namespace remount::widgets

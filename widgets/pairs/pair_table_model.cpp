@@ -161,8 +161,9 @@ double PairTableModel::sort_number(motion::PairIndex index, int column) const {
     case Rotation:
       return radians_to_degrees(pair.rotation_rad);
     case Shared:
-      return pair.shared_objects;
+      return is_from_poses(pair) ? std::nan("") : pair.shared_objects;
     case Overlap:
+      if (is_from_poses(pair)) return std::nan("");
       return is_aligned(pair) || pair.registration.overlap > 0.0 ? 100.0 * pair.registration.overlap : std::nan("");
     case Rmse:
       return value(PairMeasure::Rmse);
@@ -197,6 +198,7 @@ QString PairTableModel::display(motion::PairIndex index, int column) const {
     case Note:
       return (mark_of(index).flagged ? QStringLiteral("⚑ ") : QString()) + mark_of(index).comment;
     case Shared:
+      if (is_from_poses(pair)) return QStringLiteral("–");
       return pair.moving_objects > 0 ? tr("%1 + %2 moving").arg(pair.shared_objects).arg(pair.moving_objects)
                                      : QString::number(pair.shared_objects);
     default:

@@ -39,4 +39,8 @@ double FrameBudget::seconds_for(std::size_t points) const {
   return fixed_s_ + seconds_per_point_ * static_cast<double>(points);
 }
 
+std::size_t FrameBudget::points_within(double seconds) const {
+  return std::max(kFewest, static_cast<std::size_t>(std::max(0.0, seconds - fixed_s_) / seconds_per_point_));
+}
+
 }  // namespace remount::scene

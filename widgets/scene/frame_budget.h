@@ -17,8 +17,9 @@ class FrameBudget {
 
   /// A frame with so many points took so long.
   void took(std::size_t points, double seconds);
-  std::size_t points() const { return points_; }  ///< for a frame of kTarget_s
-  double seconds_for(std::size_t points) const;   ///< as far as is known
+  std::size_t points() const { return points_; }    ///< for a frame of kTarget_s
+  double seconds_for(std::size_t points) const;     ///< as far as is known
+  std::size_t points_within(double seconds) const;  ///< the same the other way round; at least kFewest
 
  private:
   struct Frame {

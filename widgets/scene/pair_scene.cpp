@@ -57,6 +57,8 @@ struct Picture {
 
 namespace {
 
+constexpr double kFirstPicture_s = 0.03;
+
 PairSceneDataPtr empty_data() { return prepare_pair_scene(std::make_shared<const pipeline::PairClouds>(), {}); }
 
 }  // namespace
@@ -76,6 +78,7 @@ struct PairScene::Parts {
   PairColoring coloring = PairColoring::Orange;
   DistanceScale scale;
   FrameBudget budget;
+  bool just_chosen = false;  // the pair: its first picture is there before it is waited for
   std::size_t shown = 0;
   bool ground = true;
   // Where the ground is hidden, the places of the points that are left.
@@ -197,13 +200,14 @@ struct PairScene::Parts {
     }
   }
 
+  std::size_t affordable() const { return just_chosen ? budget.points_within(kFirstPicture_s) : budget.points(); }
+
   void thin() {
     const std::size_t of_a = drawn_points(pictures[0].source), of_b = drawn_points(pictures[0].target);
     const std::size_t all = of_a + of_b;
     const auto panes = static_cast<std::size_t>(stage.shown_panes());
     const double share_drawn =
-        moving && all > 0 ? std::min(1.0, static_cast<double>(budget.points()) / static_cast<double>(panes * all))
-                          : 1.0;
+        moving && all > 0 ? std::min(1.0, static_cast<double>(affordable()) / static_cast<double>(panes * all)) : 1.0;
     const auto part = [&](std::size_t size) {
       return static_cast<std::size_t>(share_drawn * static_cast<double>(size));
     };
@@ -228,6 +232,7 @@ void PairScene::set_pair(PairSceneDataPtr data, const PairTransforms& transforms
   Parts& p = *parts_;
   p.data = std::move(data);
   p.transforms = transforms;
+  p.just_chosen = true;
   for (Picture& picture : p.pictures) {
     picture.distances_m.clear();
     picture.boxes_a.mapper->SetInputData(p.data->boxes_a);
@@ -316,6 +321,7 @@ void PairScene::set_distances(int pane, std::vector<float> distances_m) {
 
 void PairScene::set_moving(bool moving) {
   parts_->moving = moving;
+  if (!moving) parts_->just_chosen = false;
   parts_->thin();
 }
 
