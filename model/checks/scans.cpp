@@ -38,11 +38,11 @@ std::vector<Sample> sample(const drive::ScanSource& scans, std::vector<drive::Fi
 void report_few(const std::vector<Sample>& samples, std::vector<drive::Finding>& findings) {
   std::vector<double> sizes;
   for (const Sample& sample : samples) sizes.push_back(static_cast<double>(sample.points));
-  const double least = std::max(static_cast<double>(kFewPoints), kFewOfUsual * median_of(sizes));
+  const double usual = median_of(sizes), least = std::max(static_cast<double>(kFewPoints), kFewOfUsual * usual);
   for (const Sample& sample : samples)
     if (static_cast<double>(sample.points) < least) {
-      findings.push_back({drive::Severity::Warning, "scan-few-points", sample.name,
-                          say::scan_few_points(sample.points, median_of(sizes))});
+      findings.push_back({usual > 0.0 ? drive::Severity::Warning : drive::Severity::Problem, "scan-few-points",
+                          sample.name, say::scan_few_points(sample.points, usual)});
       return;  // one stands for all
     }
 }

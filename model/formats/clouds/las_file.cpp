@@ -77,10 +77,11 @@ class HeaderReader {
 
   std::size_t point_count(int minor) const {
     const auto legacy = static_cast<std::size_t>(value(107, ScalarType::U32));
-    if (minor < 4 || legacy > 0) return legacy;
+    if (minor < 4) return legacy;
     if (bytes_.size() < 375) fail(bytes_.size(), say::las_short_header_14(Bytes{375}));
     const double count = value(247, ScalarType::U64);
-    constexpr double kMostOfAByte = 16.0;  // of compressed ones
+    if (count == 0.0) return legacy;      // a writer that knows the older headers only
+    constexpr double kMostOfAByte = 2.0;  // of compressed ones
     if (count > kMostOfAByte * static_cast<double>(bytes_.size())) fail(247, say::las_too_many_points());
     return static_cast<std::size_t>(count);
   }

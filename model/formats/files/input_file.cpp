@@ -42,6 +42,13 @@ std::string read_bytes(const FileDescriptor& file, const std::filesystem::path& 
   return bytes;
 }
 
+/// A link that leads nowhere that may be seen is none of the data; what lies in the folder itself is asked for.
+bool leads_out_of_sight(const std::filesystem::directory_entry& entry, const std::error_code& unknown) {
+  if (unknown == std::errc::too_many_symbolic_link_levels) return true;
+  std::error_code ignored;
+  return unknown == std::errc::permission_denied && entry.is_symlink(ignored);
+}
+
 template <class Keep>
 std::vector<std::filesystem::path> entries(const std::filesystem::path& directory, Keep&& keep) {
   std::vector<std::filesystem::path> found;
@@ -50,7 +57,7 @@ std::vector<std::filesystem::path> entries(const std::filesystem::path& director
        entry.increment(problem)) {
     std::error_code unknown;
     if (keep(*entry, unknown)) found.push_back(entry->path());
-    if (unknown != std::errc::too_many_symbolic_link_levels) check_listed(unknown, entry->path());
+    if (!leads_out_of_sight(*entry, unknown)) check_listed(unknown, entry->path());
   }
   if (problem == std::errc::interrupted) return entries(directory, keep);
   check_listed(problem, directory);

@@ -161,7 +161,7 @@ class ChunkTable {
 
 /// What takes less has been made to take memory: points of a scan differ.
 void refuse_promises(const LazFile& file) {
-  constexpr std::size_t kMostOfAByte = 16;
+  constexpr std::size_t kMostOfAByte = 2;
   const std::size_t bytes = file.bytes.size() - file.points_at;
   if (file.points / kMostOfAByte > bytes)
     refuse_laz(file, file.points_at, say::laz_promises(file.points, Bytes{bytes}));

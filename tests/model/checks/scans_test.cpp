@@ -47,6 +47,9 @@ TEST(scan_check, few_points_are_named) {
   ASSERT_TRUE(testing::has_code(torn, "scan-few-points")) << "a tenth of the others";
   EXPECT_EQ(drive::english(torn[0].where), "scan 3");
   EXPECT_EQ(english(torn[0].explanation), "The scan has 1500 points only; the usual one has 20000.");
+  const std::vector<drive::Finding> empty = found({{0, 0}, {0, 0}, {0, 0}});
+  ASSERT_TRUE(testing::has_code(empty, "scan-few-points"));
+  EXPECT_EQ(empty[0].severity, drive::Severity::Problem) << "nothing can be calibrated from such a drive";
 }
 
 TEST(scan_check, points_that_are_none_are_counted_and_many_of_them_warned_of) {

@@ -37,6 +37,14 @@ TEST_F(las_file, every_version_and_point_format_gives_its_points) {
       }
 }
 
+TEST_F(las_file, of_two_counts_that_of_the_version_counts) {
+  LasOptions options;
+  options.minor = 4, options.format = 6;
+  std::string bytes = las(options);
+  bytes[107] = 1;  // the count of older versions, which a program that cut the file may have left
+  EXPECT_EQ(load(bytes).size(), 2U);
+}
+
 TEST_F(las_file, times_of_both_kinds_become_relative_to_the_stamp) {
   const std::int64_t gps_ns = 1'300'000'000'250'000'000;
   const std::int64_t stamp_ns = unix_ns_from_gps_ns(gps_ns);
