@@ -70,13 +70,13 @@ class PcapRecords final : public RecordsOfFile {
     const std::string_view head = window_.bytes(0, kHeadBytes);
     const auto version = number_in<std::uint16_t>(head, 4, big_);
     if (version != 2) throw Error(ErrorCode::Unsupported, file.name().string(), say::capture_version(version));
-    unit_ns_ = number_in<std::uint32_t>(head, 0, big_) == kPcapNanoseconds ? 1 : 1000;
+    const bool named = number_in<std::uint32_t>(head, 0, big_) == kPcapNanoseconds;
     link_type_ = number_in<std::uint32_t>(head, 20, big_) & 0xffffU;  // above: how long checksums are
     offset_ = kHeadBytes;
+    unit_ns_ = named || holds_nanoseconds() ? 1 : 1000;
   }
 
   bool next(CapturedFrame& frame) override {
-    constexpr std::uint64_t kRecordHead = 16;
     const std::uint64_t left = window_.left_from(offset_);
     if (left < kRecordHead) return stop(left > 0);
     const std::string_view head = window_.bytes(offset_, kRecordHead);
@@ -93,6 +93,23 @@ class PcapRecords final : public RecordsOfFile {
   }
 
  private:
+  static constexpr std::uint64_t kRecordHead = 16;
+
+  /// Some programs write nanoseconds behind the mark of microseconds: no second has a million of these.
+  bool holds_nanoseconds() {
+    constexpr int kLookedAt = 200;
+    constexpr std::uint32_t kMicroseconds = 1'000'000, kNanoseconds = 1'000'000'000;
+    std::uint64_t at = kHeadBytes;
+    for (int looked = 0; looked < kLookedAt && window_.left_from(at) >= kRecordHead; ++looked) {
+      const std::string_view head = window_.bytes(at, kRecordHead);
+      const auto fraction = number_in<std::uint32_t>(head, 4, big_), captured = number_in<std::uint32_t>(head, 8, big_);
+      if (captured > kMostFrameBytes || fraction >= kNanoseconds) return false;
+      if (fraction >= kMicroseconds) return true;
+      at += kRecordHead + captured;
+    }
+    return false;
+  }
+
   bool big_;
   std::int32_t unit_ns_ = 1000;
   std::uint32_t link_type_ = 0;

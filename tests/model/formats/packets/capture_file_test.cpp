@@ -54,6 +54,14 @@ TEST(capture_file, pcap_of_either_byte_order_and_unit_of_time) {
   }
 }
 
+TEST(capture_file, nanoseconds_behind_the_mark_of_microseconds_are_told_by_their_size) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  const std::int64_t time_ns = kCaptured_ns / kSecond * kSecond + 712'345'678;
+  std::string bytes = pcap({{time_ns, ethernet_udp("hello")}}, {.nanoseconds = true});
+  bytes.replace(0, 4, "\xd4\xc3\xb2\xa1");
+  expect_hello(bytes, "as some programs write them", time_ns);
+}
+
 TEST(capture_file, every_link_that_is_read) {
   const std::string ip = ipv4(udp("hello"));
   const auto frames = [](const std::string& bytes) { return std::vector<TimedFrame>{{kCaptured_ns, bytes}}; };
