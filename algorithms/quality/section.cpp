@@ -17,6 +17,7 @@ constexpr double kApart_m = 3.0;
 constexpr std::size_t kFewestInCell = 15, kEnough = 300;
 constexpr double kThickest_m = 0.06;      // of the surface of one scan in a cell
 constexpr double kSameNormal = 0.98;      // cosine of the angle between the normals of a cell and of its slab
+constexpr double kNarrowest_m = 0.15;     // standard deviation of the points of a surface along it
 constexpr double kMad = 1.4826;           // from the median of absolute deviations to a standard deviation
 constexpr std::size_t kLookedAt = 60000;  // points of a scan, evenly in the order in which they were measured
 constexpr double kFarthest_m = 80.0;      // beyond it points are too few to see a surface
@@ -86,7 +87,8 @@ std::optional<Judged> judge_surface(const Sums& sums, SectionKind kind) {
     return Judged{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), spread_m[1]};
   }
   const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
-  const bool flat = spread_m[0] < kThickest_m && spread_m[1] > 2.0 * spread_m[0];
+  // As wide as it is high, or what stands there is a post.
+  const bool flat = spread_m[0] < kThickest_m && spread_m[1] > std::max(kNarrowest_m, 2.0 * spread_m[0]);
   const double rise = std::abs(normal.z());
   if (!flat || (kind == SectionKind::Wall ? rise > 0.2 : rise < 0.97)) return std::nullopt;
   const Eigen::Vector3d along = kind == SectionKind::Wall ? normal.cross(Eigen::Vector3d::UnitZ()).normalized()

@@ -5065,12 +5065,12 @@ Dragging to the side, Left and Right move it along the surface, Up and Down to t
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1 mm, a %2 mm</source>
-        <translation>%1 mm，a %2 mm</translation>
-    </message>
-    <message>
         <source>%1 m along the surface, mm across it</source>
         <translation>沿表面 %1 m，垂直方向为 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm, a %2</source>
+        <translation>%1 mm，a %2</translation>
     </message>
 </context>
 <context>

@@ -184,7 +184,7 @@ void SectionPlot::paintEvent(QPaintEvent*) {
     painter.setPen(faint_text_color(palette()));
     QString numbers = cut_in_words(cuts_[i].cut, section_.kind);
     if (cuts_[i].cut.measured && fontMetrics().horizontalAdvance(numbers) > words.width())
-      numbers = tr("%1 mm, a %2 mm")
+      numbers = tr("%1 mm, a %2")
                     .arg(millimetres_text(cuts_[i].cut.thickness_together_m))
                     .arg(millimetres(cuts_[i].cut.offset_m), 0, 'f', 0);
     painter.drawText(words.translated(0.0, line), Qt::AlignLeft, numbers);

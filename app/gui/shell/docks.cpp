@@ -39,8 +39,12 @@ void Docks::place(const Placed& placed) {
   if (placed.spec.arrangement == DockSpec::Arrangement::Beside)
     return window_.splitDockWidget(before.back()->dock, placed.dock, Qt::Horizontal);
   if (placed.spec.arrangement == DockSpec::Arrangement::BehindLast) {
-    window_.tabifyDockWidget(before.back()->dock, placed.dock);
-    return before.back()->dock->raise();
+    const auto beside = std::find_if(before.rbegin(), before.rend(), [](const Placed* one) {
+      return one->spec.arrangement == DockSpec::Arrangement::Beside;
+    });
+    QDockWidget* const front = (beside == before.rend() ? before.back() : *beside)->dock;
+    window_.tabifyDockWidget(front, placed.dock);
+    return front->raise();
   }
   // One after the other: all beside each other would widen the window. What stands beside has none behind it.
   const auto last = std::find_if(before.rbegin(), before.rend(), [](const Placed* one) {
