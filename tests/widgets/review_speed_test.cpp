@@ -116,7 +116,7 @@ TEST_F(review_speed, a_key_that_is_held_shows_every_pair_on_the_way) {
   while (timer.elapsed() < 3000 && pair < pairs) step_to(pair++);
   const double a_second = 1e3 * static_cast<double>(pair - 1) / static_cast<double>(timer.elapsed());
   std::printf("%.1f pairs a second while nothing was prepared\n", a_second);
-  EXPECT_GT(a_second, 0.5);
+  EXPECT_GT(a_second, 2.0);
 }
 
 }  // namespace

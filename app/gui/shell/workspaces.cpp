@@ -8,7 +8,7 @@
 namespace remount::gui {
 namespace {
 constexpr int kLayoutVersion = 4;  // up with every dock that is new
-constexpr double kReviewHeight = 0.22;
+constexpr double kReviewHeight = 0.20;
 const QString kState = QStringLiteral("window/state"), kReviewState = QStringLiteral("window/review-state"),
               kNow = QStringLiteral("window/workspace");
 }  // namespace
