@@ -35,4 +35,8 @@ std::vector<motion::StampedPose> metric_poses(const Session& session) {
   return poses;
 }
 
+RigidTransform vehicle_from_ins(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  return forward_left_up_from(common_axes(sessions));
+}
+
 }  // namespace remount::drive

@@ -16,6 +16,8 @@ std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Sessi
 /// Turns INS axes into x forward, y left, z up: for what is given about the vehicle, such as its outline. Identity for
 /// axes that are not known.
 RigidTransform forward_left_up_from(const std::optional<InsAxes>& axes);
+/// The same for the axes that all sessions have in common.
+RigidTransform vehicle_from_ins(const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// Poses of the INS in a metric frame: east, north, up of the first sample, positions and attitudes alike, or the poses
 /// of the file.

@@ -15,12 +15,6 @@ namespace {
 
 using drive::AttitudeConvention;
 
-/// As boxes are built in: in line with the vehicle, or across it.
-bool is_set_square(const TravelFit& fit) {
-  constexpr double kSquare_rad = 15.0 * kDegree_rad;
-  return std::abs(wrap_angle_rad(4.0 * fit.offset_rad)) < 4.0 * kSquare_rad;
-}
-
 /// Other ways to count the same columns that the drive does not refute.
 std::vector<const Hypothesis*> others_alike(const std::vector<Hypothesis>& all, const Hypothesis& best) {
   constexpr double kWithin_rad = 2.0 * kDegree_rad;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algorithms/geometry/degree.h"
+#include "algorithms/geometry/rotation.h"
 
 namespace remount::guesses {
 namespace {
@@ -16,8 +17,11 @@ namespace {
 /// What the heading is off, and what makes a reading unlikely in the same measure.
 double score_of(const PositionReading& position, const AttitudeReading& attitude, const TravelFit& fit) {
   constexpr double kUpright = 0.8, kNotUpright_rad = 60.0 * kDegree_rad, kUnusual_rad = 0.5 * kDegree_rad,
-                   kOfOffset = 0.02, kOfTilt = 0.1;
-  double score_rad = fit.residual_rad + kOfOffset * size_of_offset(fit);
+                   kOfOffset = 0.02, kOfTilt = 0.1, kBuiltIn_rad = 20.0 * kDegree_rad;
+  // A box may look any way that it is built in, before a column counts otherwise than its name says.
+  const bool as_named = attitude.by_name && attitude.usual_for_name && is_set_square(fit);
+  const double offset_rad = as_named ? std::min(size_of_offset(fit), kBuiltIn_rad) : size_of_offset(fit);
+  double score_rad = fit.residual_rad + kOfOffset * offset_rad;
   // No drive tells roll; a vehicle leans little.
   if (!attitude.by_name) score_rad += kOfTilt * std::acos(std::clamp(fit.upright, -1.0, 1.0));
   if (position.exchanged && position.geodetic) score_rad += 4.0 * kUnusual_rad;  // names say otherwise
@@ -106,6 +110,11 @@ void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis
 }
 
 }  // namespace
+
+bool is_set_square(const TravelFit& fit) {
+  constexpr double kSquare_rad = 15.0 * kDegree_rad;
+  return std::abs(wrap_angle_rad(4.0 * fit.offset_rad)) < 4.0 * kSquare_rad;
+}
 
 double size_of_offset(const TravelFit& fit) { return std::abs(fit.offset_rad); }
 

@@ -17,6 +17,9 @@ struct Hypothesis {
   double score_rad = 0.0;  ///< the smaller the better
 };
 
+/// As boxes are built in: in line with the vehicle, or across it.
+bool is_set_square(const TravelFit& fit);
+
 /// Of the offset, either way.
 double size_of_offset(const TravelFit& fit);
 

@@ -93,8 +93,8 @@ KeyframeScanPtr SolvedPairs::scan_of(motion::KeyframeIndex keyframe, const Progr
   auto scan = std::make_shared<KeyframeScan>();
   scan->cloud = all.store.load(output_->keyframes.at(keyframe), progress);
   if (progress.cancelled()) return std::make_shared<const KeyframeScan>();
-  scan->objects = cloud::find_objects(scan->cloud, up_in_lidar(all.context, output_->keyframes.at(keyframe)),
-                                      input_.settings.objects);
+  scan->up_in_lidar = up_in_lidar(all.context, output_->keyframes.at(keyframe));
+  scan->objects = cloud::find_objects(scan->cloud, scan->up_in_lidar, input_.settings.objects);
   const std::scoped_lock guard(mutex_);
   // Of two that read it at once the first is kept, for its holders and those of the second share it then.
   if (KeyframeScanPtr held = read_[keyframe].lock()) return held;

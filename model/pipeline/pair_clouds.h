@@ -15,7 +15,8 @@ namespace remount::pipeline {
 /// The scan of a keyframe in its lidar frame, mended and compensated, and what stands in it.
 struct KeyframeScan {
   cloud::PointCloud cloud;
-  std::vector<cloud::SceneObject> objects;  ///< their points are places in `cloud`
+  std::vector<cloud::SceneObject> objects;                 ///< their points are places in `cloud`
+  Eigen::Vector3f up_in_lidar = Eigen::Vector3f::UnitZ();  ///< away from the ground, unit length
 };
 using KeyframeScanPtr = std::shared_ptr<const KeyframeScan>;
 

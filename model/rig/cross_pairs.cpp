@@ -283,8 +283,11 @@ pipeline::PairClouds load_cross_clouds(const LidarJob& job_a, const pipeline::Pi
     const pipeline::DriveMotion motion = pipeline::motion_as_solved(job.input, output);
     pipeline::ScanStore scans(motion, job.input.settings.registration, 0);
     pipeline::compensate_as_solved(job.input, output, scans);
+    const pipeline::StageContext context{motion, job.input.settings, output.keyframes,
+                                         output.result.mounting.ins_from_lidar(), job.input.threads};
+    const motion::Keyframe& at = output.keyframes.at(keyframe);
     return std::make_shared<const pipeline::KeyframeScan>(
-        pipeline::KeyframeScan{scans.load(output.keyframes.at(keyframe)), {}});
+        pipeline::KeyframeScan{scans.load(at), {}, pipeline::up_in_lidar(context, at)});
   };
   return {load(job_a, output_a, pair.keyframe_a), load(job_b, output_b, pair.keyframe_b), {}};
 }

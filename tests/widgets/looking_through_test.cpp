@@ -12,6 +12,7 @@
 #include "app/gui/basics/held_action.h"
 #include "model/project/project.h"
 #include "tests/widgets/support/window_fixture.h"
+#include "widgets/basics/distance_legend.h"
 #include "widgets/basics/scale_bar.h"
 #include "widgets/pairs/contact_sheet.h"
 #include "widgets/pairs/pair_view.h"
@@ -199,6 +200,18 @@ TEST_F(looking_through, the_review_has_the_room_of_the_other_panels_and_gives_it
   EXPECT_NEAR(canvas.width(), narrow, 30);
 }
 
+TEST_F(looking_through, another_language_keeps_the_arrangement_of_the_review) {
+  window_.go_to_step(Step::Review);
+  action("F11").setChecked(true);
+  gui::MainWindow next(workbench_, gui::all_features());
+  next.take_over(window_.hand_over());
+  next.show();
+  EXPECT_TRUE(next.findChild<QDockWidget*>("pairs")->isVisible()) << "the whole screen does not hide it for good";
+  EXPECT_FALSE(next.findChild<QDockWidget*>("result")->isVisible());
+  next.go_to_step(Step::Solve);
+  EXPECT_TRUE(next.findChild<QDockWidget*>("result")->isVisible());
+}
+
 TEST_F(looking_through, fills_the_screen_and_keeps_its_keys) {
   auto* pairs = window_.findChild<QDockWidget*>("pairs");
   ASSERT_TRUE(pairs->isVisible());
@@ -233,8 +246,11 @@ TEST_F(looking_through, the_view_is_coloured_by_what_was_measured_and_says_its_s
   view.show_ground(true);
   EXPECT_EQ(picture(), by_height) << "and with it again";
   view.set_coloring(scene::PairColoring::SignedDistance);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view.scene().lidar_b_from_lidar_a(0).matrix().allFinite(); }, 1000));
-  EXPECT_NE(picture(), by_height);
+  const QImage unknown = view.picture();
+  const auto& legend = *view.findChild<DistanceLegend*>();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return texts_of(legend).contains("median 0."); }, testing::kPatience_ms))
+      << texts_of(legend).toStdString();
+  EXPECT_NE(picture(), unknown) << "points have colours when their distances are known";
   const auto& bar = *view.findChild<ScaleBar*>();
   const QString scale = bar.text();
   EXPECT_TRUE(scale.endsWith(" m") || scale.endsWith(" cm")) << scale.toStdString();

@@ -93,16 +93,25 @@ void PairFilter::setSourceModel(QAbstractItemModel* model) {
   QAbstractProxyModel::setSourceModel(model);
   connect(model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { beginResetModel(); });
   connect(model, &QAbstractItemModel::modelReset, this, &PairFilter::after_source_reset);
-  connect(model, &QAbstractItemModel::dataChanged, this, [this] {
-    known_column_ = -1;
-    keep_place();
-    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-  });
+  connect(model, &QAbstractItemModel::dataChanged, this,
+          [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
+            // A pair is looked at with every step: a hundred thousand are not sorted for that.
+            if (roles != QList<int>{Qt::FontRole} || asks_for_marks()) {
+              known_column_ = -1;
+              keep_place();
+            }
+            if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+          });
   connect(model, &QAbstractItemModel::headerDataChanged, this, &QAbstractItemModel::headerDataChanged);
   known_column_ = -1;
   set_shown(choose());
   endResetModel();
   emit shown_changed();
+}
+
+bool PairFilter::asks_for_marks() const {
+  return criteria_.group == PairGroup::NotSeen || criteria_.group == PairGroup::Noted || !criteria_.text.isEmpty() ||
+         sort_column_ == PairTableModel::Note;
 }
 
 void PairFilter::after_source_reset() {

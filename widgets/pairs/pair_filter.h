@@ -63,6 +63,7 @@ class PairFilter : public QAbstractProxyModel {
   void keep_place();
   void show(std::vector<motion::PairIndex> shown);
   bool matches(motion::PairIndex pair) const;
+  bool asks_for_marks() const;
   void keep_worst(std::vector<motion::PairIndex>& pairs) const;
   void sort_pairs(std::vector<motion::PairIndex>& pairs);
   void find_sort_keys();

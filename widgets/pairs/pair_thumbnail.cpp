@@ -94,11 +94,10 @@ PairThumbnail paint_thumbnail(const scene::PairSceneData& data, const scene::Pai
              [&](std::size_t i) { return rgb(scale.color(signed_m[i])); });
   thumbnail.median_m = static_cast<double>(quality::median_distance_m(signed_m));
 
-  const Eigen::Vector3d up_in_lidar_b = vehicle_from_b.linear().transpose() * Eigen::Vector3d::UnitZ();
   const quality::SectionScans scans{data.scan_a->cloud().points, data.scan_b->cloud().points, b_from_a};
   const std::vector<quality::Section> walls = quality::find_sections(
       {scans.points_in_lidar_a, scans.points_in_lidar_b, transforms.registered_lidar_b_from_lidar_a},
-      quality::SectionKind::Wall, up_in_lidar_b, 1, progress);
+      quality::SectionKind::Wall, data.scan_b->scan()->up_in_lidar.cast<double>(), 1, progress);
   if (progress.cancelled()) return {};
   if (!walls.empty()) {
     const quality::SectionCut cut = quality::cut_section(scans, walls.front());

@@ -253,6 +253,7 @@ void PairView::show_legend() {
 void PairView::show_ground(bool visible) {
   const QSignalBlocker quiet(ground_);
   ground_->setChecked(visible);
+  emit ground_shown(visible);
   scene_.show_ground(visible);
   render();
 }

@@ -58,6 +58,7 @@ class PairView : public SceneView {
  signals:
   void distances_wanted(const widgets::DistanceRequest& request);
   void scale_changed(double limit_m);
+  void ground_shown(bool visible);
   /// The user wants a section through this point, in the lidar frame of scan b, m.
   void section_wanted(const Eigen::Vector3d& point_in_lidar_b);
 

@@ -178,10 +178,8 @@ struct PairScene::Parts {
   void put_geometry() {
     left_of_a = left_of_b = nullptr;
     if (!ground) {
-      const Eigen::Vector3d up_in_b = transforms.view_from_lidar_b.linear().transpose() * transforms.up_in_view;
-      const Eigen::Vector3d up_in_a = transforms.registered_lidar_b_from_lidar_a.linear().transpose() * up_in_b;
-      left_of_a = data->scan_a->above_ground(up_in_a.cast<float>());
-      left_of_b = data->scan_b->above_ground(up_in_b.cast<float>());
+      left_of_a = data->scan_a->above_ground();
+      left_of_b = data->scan_b->above_ground();
     }
     const auto of_a = drawn(*data->scan_a, left_of_a.get()), of_b = drawn(*data->scan_b, left_of_b.get());
     for (Picture& picture : pictures) {

@@ -62,6 +62,8 @@ PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> 
 
 std::shared_ptr<ScanScenes> make_scan_scenes() { return std::make_shared<ScanScenes>(); }
 
+void tell_ground_apart(ScanScenes& scans, bool on) { scans.tell_ground_apart(on); }
+
 PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> clouds, ScanScenes& scans,
                                     const Progress& progress) {
   ScanScenePtr scan_a = scans.prepare(clouds->scan_a, progress), scan_b = scans.prepare(clouds->scan_b, progress);

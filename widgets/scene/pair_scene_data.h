@@ -49,6 +49,8 @@ using PairSceneDataPtr = std::shared_ptr<const PairSceneData>;
 /// What scenes of pairs with a scan in common share of it; thread-safe. VTK inside: scan_scene.h
 class ScanScenes;
 std::shared_ptr<ScanScenes> make_scan_scenes();
+/// Whether the ground is told apart while scans are prepared: scenes hide it.
+void tell_ground_apart(ScanScenes& scans, bool on);
 
 /// Points in the order of their levels, and boxes. Null where cancelled.
 PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> clouds, ScanScenes& scans,

@@ -22,10 +22,10 @@ std::shared_ptr<const quality::SurfaceDistance> ScanScene::surfaces(const Progre
   return found;
 }
 
-std::shared_ptr<const std::vector<std::uint32_t>> ScanScene::above_ground(const Eigen::Vector3f& up_in_lidar) const {
+std::shared_ptr<const std::vector<std::uint32_t>> ScanScene::above_ground() const {
   const std::scoped_lock guard(mutex_);
   if (above_ground_) return above_ground_;
-  const std::vector<bool> is_ground = cloud::ground_mask(scan_->cloud, up_in_lidar, cloud::ObjectOptions{});
+  const std::vector<bool> is_ground = cloud::ground_mask(scan_->cloud, scan_->up_in_lidar, cloud::ObjectOptions{});
   const std::vector<std::uint32_t>& original = geometry_->cloud->original;
   auto above = std::make_shared<std::vector<std::uint32_t>>();
   for (std::uint32_t place = 0; place < original.size(); ++place)
@@ -39,6 +39,12 @@ std::size_t ScanScene::bytes() const {
 }
 
 ScanScenePtr ScanScenes::prepare(const pipeline::KeyframeScanPtr& scan, const Progress& progress) {
+  ScanScenePtr scene = scene_of(scan, progress);
+  if (scene && ground_apart_) (void)scene->above_ground();
+  return scene;
+}
+
+ScanScenePtr ScanScenes::scene_of(const pipeline::KeyframeScanPtr& scan, const Progress& progress) {
   {
     const std::scoped_lock guard(mutex_);
     if (ScanScenePtr held = prepared_[scan.get()].lock()) return held;

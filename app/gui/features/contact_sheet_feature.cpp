@@ -98,8 +98,8 @@ void ContactSheetFeature::start(motion::PairIndex pair) {
   *job = jobs_.start(
       [this, pair, alignment, is_wanted, source = source_, scans = scans_, style = style_,
        transforms = scene::pair_transforms(*output, pair),
-       vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(workbench_.sessions().all()))](
-          Progress& progress) -> JobRunner::Deliver {
+       vehicle_from_ins =
+           drive::vehicle_from_ins(workbench_.sessions().all())](Progress& progress) -> JobRunner::Deliver {
         const auto clouds = std::make_shared<const pipeline::PairClouds>(source->load(pair, progress));
         if (!clouds->has_points())
           return [this, pair, is_wanted] {
@@ -124,7 +124,7 @@ void ContactSheetFeature::take(motion::PairIndex pair, const widgets::PairThumbn
                                const scene::PairSceneDataPtr& data) {
   running_.erase(pair);
   if (thumbnail.picture.isNull()) {
-    failed_[pair] = true;
+    failed_.insert(pair);
   } else {
     QStringList words;
     if (std::isfinite(thumbnail.median_m)) words << tr("%1 mm").arg(1000.0 * thumbnail.median_m, 0, 'f', 0);

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 
 #include "app/gui/shell/feature.h"
 #include "app/gui/workbench/workbench.h"
@@ -36,8 +37,8 @@ class ContactSheetFeature : public Feature {
   std::shared_ptr<scene::ScanScenes> scans_;
   std::deque<scene::PairSceneDataPtr> recent_;  // pairs that follow each other share scans
   std::map<motion::PairIndex, int> running_;    // jobs
-  std::map<motion::PairIndex, bool> failed_;
-  JobRunner jobs_;  // last: its threads end before anything they report to is gone
+  std::set<motion::PairIndex> failed_;          // of which there is no picture
+  JobRunner jobs_;                              // last: its threads end before anything they report to is gone
 };
 
 }  // namespace remount::gui

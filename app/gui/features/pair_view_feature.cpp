@@ -51,6 +51,8 @@ void PairViewFeature::make_scene() {
       workbench_, *view_, [this](motion::PairIndex pair) { return caption(pair); }, &window_);
   if (const QVariant scale = remembers() ? QSettings().value(kScale) : QVariant(); scale.isValid())
     view_->set_scale(scale.toDouble());
+  connect(view_, &widgets::PairView::ground_shown, this,
+          [this](bool visible) { workbench_.pair_scenes().tell_ground_apart(!visible); });
   connect(view_, &widgets::PairView::section_wanted, this, [this](const Eigen::Vector3d& point_in_lidar_b) {
     if (auto* sections = window_.feature<SectionFeature>()) sections->lay_through(point_in_lidar_b);
   });
@@ -142,8 +144,7 @@ void PairViewFeature::show_obstacles() {
   const std::optional<motion::PairIndex> selected = workbench_.selection().pair();
   if (!output || !shown_clouds_ || !selected) return;
   const motion::Pair& pair = output->pairs.at(*selected);
-  const RigidTransform vehicle_from_ins =
-      drive::forward_left_up_from(drive::common_axes(workbench_.outcome().input().sessions));
+  const RigidTransform vehicle_from_ins = drive::vehicle_from_ins(workbench_.outcome().input().sessions);
   QString scan = tr("scan b of pair %1, %2").arg(*selected).arg(scan_name_of(pair.keyframe_b));
   const Vehicle& vehicle = workbench_.vehicle();
   if (const std::optional<motion::LidarIndex> lidar = vehicle.shown(); lidar && vehicle.lidars().size() > 1)

@@ -57,7 +57,7 @@ std::vector<Eigen::Vector3f> move_points(const std::vector<Eigen::Vector3f>& poi
 std::shared_ptr<const widgets::VehicleScan> scan_of_vehicle(const cloud::PointCloud& cloud,
                                                             const pipeline::PipelineInput& input,
                                                             const pipeline::PipelineOutput& output) {
-  const RigidTransform vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(input.sessions));
+  const RigidTransform vehicle_from_ins = drive::vehicle_from_ins(input.sessions);
   return std::make_shared<const widgets::VehicleScan>(
       widgets::VehicleScan{move_points(cloud.points, vehicle_from_ins * output.initial_ins_from_lidar),
                            move_points(cloud.points, vehicle_from_ins * output.result.mounting.ins_from_lidar())});

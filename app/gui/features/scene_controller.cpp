@@ -26,7 +26,7 @@ void SceneController::show_pair(motion::PairIndex pair, const scene::PairSceneDa
 }
 
 void SceneController::face_forward() {
-  const RigidTransform vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(workbench_.sessions().all()));
+  const RigidTransform vehicle_from_ins = drive::vehicle_from_ins(workbench_.sessions().all());
   const Eigen::Vector3d forward_in_ins = vehicle_from_ins.linear().transpose() * Eigen::Vector3d::UnitX();
   pair_view_.set_forward(std::atan2(forward_in_ins.y(), forward_in_ins.x()));
 }
@@ -85,7 +85,7 @@ scene::PairTransforms SceneController::transforms(motion::PairIndex pair) const 
   const RigidTransform* const candidate =
       !candidate_ ? nullptr : &output->result.candidates.at(*candidate_).ins_from_lidar;
   scene::PairTransforms transforms = scene::pair_transforms(*output, pair, candidate);
-  const RigidTransform vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(workbench_.sessions().all()));
+  const RigidTransform vehicle_from_ins = drive::vehicle_from_ins(workbench_.sessions().all());
   transforms.up_in_view = vehicle_from_ins.linear().transpose() * Eigen::Vector3d::UnitZ();
   return transforms;
 }

@@ -3,7 +3,6 @@
 #include <QDockWidget>
 
 #include "app/gui/shell/main_window.h"
-#include "model/drive/session_frames.h"
 #include "widgets/pairs/section_panel.h"
 
 namespace remount::gui {
@@ -74,13 +73,10 @@ void SectionFeature::find() {
   if (behind_ || !data_ || !output || !pair_) return;
   const auto clouds = scene::clouds_of(*data_);
   if (!clouds->has_points()) return panel_->show_message(tr("The pair comes from LiDAR poses: there are no scans."));
-  start([this, clouds, kind = panel_->kind(), transforms = scene::pair_transforms(*output, *pair_),
-         vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(workbench_.sessions().all()))](
-            Progress& progress) -> JobRunner::Deliver {
-    const Eigen::Vector3d up_in_lidar_b =
-        (vehicle_from_ins.linear() * transforms.view_from_lidar_b.linear()).transpose() * Eigen::Vector3d::UnitZ();
+  start([this, clouds, kind = panel_->kind(),
+         transforms = scene::pair_transforms(*output, *pair_)](Progress& progress) -> JobRunner::Deliver {
     auto places = quality::find_sections(scans_of(*clouds, transforms.registered_lidar_b_from_lidar_a), kind,
-                                         up_in_lidar_b, kPlaces, progress);
+                                         clouds->scan_b->up_in_lidar.cast<double>(), kPlaces, progress);
     std::vector<widgets::ShownCut> cuts;
     if (!places.empty()) cuts = cuts_of(*clouds, transforms, places.front());
     return [this, places = std::move(places), cuts = std::move(cuts)] {
@@ -106,16 +102,13 @@ void SectionFeature::lay_through(const Eigen::Vector3d& point_in_lidar_b) {
   if (!data_ || !output || !pair_) return;
   const auto clouds = scene::clouds_of(*data_);
   const scene::PairTransforms transforms = scene::pair_transforms(*output, *pair_);
-  const RigidTransform vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(workbench_.sessions().all()));
   place_.reset();
   dock_->show();
   dock_->raise();
-  start([this, clouds, transforms, vehicle_from_ins, point_in_lidar_b,
-         kind = panel_->kind()](Progress&) -> JobRunner::Deliver {
-    const Eigen::Vector3d up_in_lidar_b =
-        (vehicle_from_ins.linear() * transforms.view_from_lidar_b.linear()).transpose() * Eigen::Vector3d::UnitZ();
-    const quality::Section section = quality::section_at(scans_of(*clouds, transforms.registered_lidar_b_from_lidar_a),
-                                                         kind, point_in_lidar_b, up_in_lidar_b);
+  start([this, clouds, transforms, point_in_lidar_b, kind = panel_->kind()](Progress&) -> JobRunner::Deliver {
+    const quality::Section section =
+        quality::section_at(scans_of(*clouds, transforms.registered_lidar_b_from_lidar_a), kind, point_in_lidar_b,
+                            clouds->scan_b->up_in_lidar.cast<double>());
     return [this, section] { cut(section); };
   });
 }

@@ -205,14 +205,15 @@ void MainWindow::show_state() {
 }
 
 WindowHandover MainWindow::hand_over() {
-  WindowHandover handover{saveGeometry(), saveState(), {}};
+  full_screen_->set(false);  // or what it hides would stay hidden in the next window
+  WindowHandover handover{saveGeometry(), workspaces_->hand_over(), {}};
   for (const auto& feature : features_) handover.of_features.push_back(feature->hand_over());
   return handover;
 }
 
 void MainWindow::take_over(WindowHandover handover) {
   restoreGeometry(handover.geometry);
-  restoreState(handover.state);
+  workspaces_->take_over(handover.workspaces);
   handover.of_features.resize(features_.size());
   for (std::size_t i = 0; i < features_.size(); ++i) features_[i]->take_over(handover.of_features[i].get());
 }

@@ -25,7 +25,8 @@ namespace remount::gui {
 
 /// What stays when another window takes the place of one.
 struct WindowHandover {
-  QByteArray geometry, state;
+  QByteArray geometry;
+  WorkspaceStates workspaces;
   std::vector<std::unique_ptr<Feature::Kept>> of_features;  ///< in their order
 };
 

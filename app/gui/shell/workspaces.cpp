@@ -16,13 +16,13 @@ const QString kState = QStringLiteral("window/state"), kReviewState = QStringLit
 Workspaces::Workspaces(QMainWindow& window, Docks& docks) : QObject(&window), window_(window), docks_(docks) {}
 
 void Workspaces::go_to(Workspace workspace) {
-  if (workspace == now_) return;
-  states_[index_of(now_)] = window_.saveState(kLayoutVersion);
-  now_ = workspace;
-  const QByteArray& state = states_[index_of(now_)];
+  if (workspace == kept_.now) return;
+  kept_.states[index_of(kept_.now)] = window_.saveState(kLayoutVersion);
+  kept_.now = workspace;
+  const QByteArray& state = kept_.states[index_of(kept_.now)];
   if (!state.isEmpty())
     window_.restoreState(state, kLayoutVersion);
-  else if (now_ == Workspace::Review)
+  else if (kept_.now == Workspace::Review)
     arrange_review();
   else
     reset();
@@ -44,8 +44,8 @@ void Workspaces::arrange_review() {
 }
 
 void Workspaces::reset() {
-  states_ = {};
-  if (now_ == Workspace::Review) return arrange_review();
+  kept_.states = {};
+  if (kept_.now == Workspace::Review) return arrange_review();
   window_.restoreState(first_, kLayoutVersion);
   for (QDockWidget* dock : docks_.all()) dock->show();
   docks_.arrange();
@@ -55,17 +55,27 @@ void Workspaces::restore() {
   first_ = window_.saveState(kLayoutVersion);
   if (!remembers()) return;
   const QSettings settings;
-  states_ = {settings.value(kState).toByteArray(), settings.value(kReviewState).toByteArray()};
-  window_.restoreState(states_[index_of(Workspace::All)], kLayoutVersion);
+  kept_.states = {settings.value(kState).toByteArray(), settings.value(kReviewState).toByteArray()};
+  window_.restoreState(kept_.states[index_of(Workspace::All)], kLayoutVersion);
   if (settings.value(kNow).toString() == QLatin1String("review")) go_to(Workspace::Review);
 }
 
+WorkspaceStates Workspaces::hand_over() {
+  kept_.states[index_of(kept_.now)] = window_.saveState(kLayoutVersion);
+  return kept_;
+}
+
+void Workspaces::take_over(const WorkspaceStates& states) {
+  kept_ = states;
+  window_.restoreState(kept_.states[index_of(kept_.now)], kLayoutVersion);
+}
+
 void Workspaces::remember() {
-  states_[index_of(now_)] = window_.saveState(kLayoutVersion);
+  (void)hand_over();
   QSettings settings;
-  settings.setValue(kState, states_[index_of(Workspace::All)]);
-  settings.setValue(kReviewState, states_[index_of(Workspace::Review)]);
-  settings.setValue(kNow, now_ == Workspace::Review ? "review" : "all");
+  settings.setValue(kState, kept_.states[index_of(Workspace::All)]);
+  settings.setValue(kReviewState, kept_.states[index_of(Workspace::Review)]);
+  settings.setValue(kNow, kept_.now == Workspace::Review ? "review" : "all");
 }
 
 }  // namespace remount::gui

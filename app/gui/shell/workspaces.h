@@ -13,27 +13,34 @@ enum class Workspace {
   Review,  ///< what pairs are judged by; the view has the rest of the window
 };
 
+inline constexpr int kWorkspaces = 2;
+
+/// How docks stand in each; empty: it was never left.
+struct WorkspaceStates {
+  Workspace now = Workspace::All;
+  std::array<QByteArray, kWorkspaces> states;
+};
+
 /// What the user changes in one is remembered for it.
 class Workspaces : public QObject {
   Q_OBJECT
  public:
   Workspaces(QMainWindow& window, Docks& docks);
-  Workspace now() const { return now_; }
   void go_to(Workspace workspace);
   /// As they are at first.
   void reset();
-  void restore();   ///< what is remembered, and the one that was there last
-  void remember();  ///< for the next start
+  void restore();               ///< what is remembered, and the one that was there last
+  void remember();              ///< for the next start
+  WorkspaceStates hand_over();  ///< to a window that takes the place of this one
+  void take_over(const WorkspaceStates& states);
 
  private:
   void arrange_review();
 
-  static constexpr int kCount = 2;
   QMainWindow& window_;
   Docks& docks_;
-  Workspace now_ = Workspace::All;
-  QByteArray first_;                       // of all docks, before the user arranged any
-  std::array<QByteArray, kCount> states_;  // empty: never left
+  QByteArray first_;  // of all docks, before the user arranged any
+  WorkspaceStates kept_;
 };
 
 }  // namespace remount::gui

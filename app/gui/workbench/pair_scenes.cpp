@@ -36,6 +36,7 @@ void PairScenes::show_selected(std::optional<motion::PairIndex> pair) {
 }
 
 void PairScenes::prepare_next(std::vector<motion::PairIndex> pairs) {
+  keep_what_serves();  // the output may be another before a pair of it is selected
   wanted_.clear();
   if (selection_.pair()) wanted_.push_back(*selection_.pair());
   wanted_.insert(wanted_.end(), pairs.begin(), pairs.end());
@@ -68,6 +69,7 @@ void PairScenes::keep_what_serves() {
 }
 
 void PairScenes::start_wanted() {
+  if (!source_) return;
   for (auto one = running_.begin(); one != running_.end();)
     if (std::find(wanted_.begin(), wanted_.end(), one->first) == wanted_.end()) {
       desk_.jobs.cancel(one->second);

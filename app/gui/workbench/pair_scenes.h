@@ -30,6 +30,8 @@ class PairScenes : public WorkbenchPart {
   const std::shared_ptr<const pipeline::PairSource>& source();
   /// Whether the picture of the selected pair is still to come.
   bool awaited() const { return awaited_; }
+  /// Whether the ground of the scans is told apart before they are shown: the view hides it.
+  void tell_ground_apart(bool on) { scene::tell_ground_apart(*scans_, on); }
   void set_budget(std::size_t bytes) { budget_bytes_ = bytes; }
 
  signals:
