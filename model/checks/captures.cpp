@@ -13,6 +13,8 @@ DataCheck capture_check() {
                     {"capture-repeated", say::capture_repeated_meaning, say::capture_repeated_remedy},
                     {"capture-foreign", say::capture_foreign_meaning, say::capture_foreign_remedy},
                     {"capture-other-sensors", say::capture_other_sensors_meaning, say::capture_other_sensors_remedy},
+                    {"capture-refused", say::capture_refused_meaning, say::capture_refused_remedy},
+                    {"capture-unused", say::capture_unused_meaning, say::capture_unused_remedy},
                     {"capture-truncated", say::capture_truncated_meaning, say::capture_truncated_remedy},
                     {"capture-position", say::capture_position_meaning, say::capture_position_remedy},
                     {"capture-*", say::capture_any_meaning, say::capture_any_remedy}}};

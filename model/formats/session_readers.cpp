@@ -171,6 +171,7 @@ void settle(drive::Session& session) {
 
 drive::Session looked_at(drive::Session session, checks::LookAt look_at, const Progress& progress) {
   settle(session);
+  tell_unused_captures(session);
   for (drive::Finding& finding : checks::data_findings(session, look_at, progress))
     session.findings.push_back(std::move(finding));
   return session;

@@ -45,20 +45,18 @@ PacketIndex index_capture(const std::filesystem::path& path, Progress& progress,
   return index;
 }
 
-namespace {
-
 PacketIndex index_begin(const std::filesystem::path& path) {
   constexpr std::uint64_t kLookedAt = std::uint64_t{4} << 20U;
   Progress progress;
   if (is_lvx(path)) return index_lvx(std::make_shared<RandomAccessFile>(path), progress, kLookedAt);
   const RandomAccessFile file(path);
   PacketIndexing indexing(path);
-  visit_datagrams(
+  const CaptureCounts counts = visit_datagrams(
       file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress, kLookedAt);
-  return indexing.made(false);
+  PacketIndex index = indexing.made(false);
+  index.counts = counts;
+  return index;
 }
-
-}  // namespace
 
 std::vector<SensorPackets> sensors_at_begin(const std::filesystem::path& path) { return index_begin(path).sensors; }
 

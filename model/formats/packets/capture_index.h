@@ -20,7 +20,9 @@ PacketIndex index_capture(const std::filesystem::path& path, Progress& progress,
 /// What is captured, read again.
 std::shared_ptr<const PacketFile> captured_packets(std::shared_ptr<const RandomAccessFile> file);
 
-/// The sensors whose packets are among the first megabytes of a file, with those. Throws Error as index_capture does.
+/// Of the first megabytes of a file. Throws Error as index_capture does.
+PacketIndex index_begin(const std::filesystem::path& path);
+/// The sensors whose packets are among these, with those. Throws Error as index_capture does.
 std::vector<SensorPackets> sensors_at_begin(const std::filesystem::path& path);
 /// Whether there are any, also of those that are not decoded. Never throws.
 bool holds_lidar(const std::filesystem::path& path);

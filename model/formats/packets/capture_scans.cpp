@@ -72,18 +72,23 @@ std::vector<std::string> sensor_names(const PacketIndex& index) {
   return names;
 }
 
-std::size_t choose_sensor(const PacketIndex& index, const std::string& asked, const std::string& where) {
+Error why_no_lidar(const PacketIndex& index, const std::string& where) {
   constexpr std::size_t kMostNamed = 10;
-  if (index.sensors.empty()) {
-    if (!index.refused.empty()) throw index.refused.front();
-    std::vector<std::string> others;
-    for (const auto& [route, count] : index.others)
-      if (others.size() < kMostNamed) others.push_back(to_string(route));
-    throw Error(ErrorCode::Unsupported, where,
-                index.counts.unknown_link > 0 && index.counts.datagrams == 0 ? say::capture_unknown_link()
-                : others.empty()                                             ? say::capture_no_datagrams()
-                                                                             : say::capture_no_lidar(others));
-  }
+  if (!index.refused.empty()) return index.refused.front();
+  std::vector<std::string> others;
+  for (const auto& [route, count] : index.others)
+    if (others.size() < kMostNamed) others.push_back(to_string(route));
+  const CaptureCounts& counts = index.counts;
+  const auto unsupported = [&](Message what) { return Error(ErrorCode::Unsupported, where, std::move(what)); };
+  if (!others.empty()) return unsupported(say::capture_no_lidar(others));
+  if (counts.frames == 0) return unsupported(say::capture_empty());
+  if (counts.truncated > 0 && counts.datagrams == 0) return unsupported(say::capture_no_whole(counts.truncated));
+  if (counts.unknown_link > 0 && counts.datagrams == 0) return unsupported(say::capture_unknown_link());
+  return unsupported(say::capture_no_datagrams());
+}
+
+std::size_t choose_sensor(const PacketIndex& index, const std::string& asked, const std::string& where) {
+  if (index.sensors.empty()) throw why_no_lidar(index, where);
   std::vector<std::size_t> meant;
   for (std::size_t i = 0; i < index.sensors.size(); ++i) {
     const SensorPackets& sensor = index.sensors[i];
@@ -141,6 +146,13 @@ void report_unused(const SensorPackets& packets, const std::string& where, std::
                                          where, say::capture_foreign(packets.foreign, packets.decoder->model())));
 }
 
+/// Sensors that would be read if something did not lack: nobody misses what is not named.
+void report_refused(const PacketIndex& index, std::vector<drive::Finding>& findings) {
+  for (const Error& refused : index.refused)
+    findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-refused", refused.where(),
+                                           say::capture_refused(refused.what_happened())));
+}
+
 /// Whether the name of a file says that it is of the one sensor and not of the other.
 bool told_apart(const std::filesystem::path& file, const SensorPackets& one, const SensorPackets& other) {
   const bool other_device = one.route.address != other.route.address || one.route.topic != other.route.topic;
@@ -180,6 +192,7 @@ std::shared_ptr<const PacketScanSource> take_scans(PacketIndex& index, std::size
     session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-index", file, index.remark));
   packets.foreign += settle_second_parts(packets.packets);
   report_unused(packets, where, session.findings);
+  report_refused(index, session.findings);
   const std::vector<SourceBeside> sources = packets.decoder->sources_beside();
   for (const SourceBeside& source : sources)
     if (!source.said) session.files.push_back(source.name);

@@ -38,9 +38,12 @@ class PacketScanSource final : public TimedScanSource {
 /// "192.168.1.201:2368 (VLP-16)", of each sensor, for messages and lists.
 std::vector<std::string> sensor_names(const PacketIndex& index);
 
+/// Why a recording gives no scans: a sensor that is not decoded, or what it holds instead. Of one without sensors.
+Error why_no_lidar(const PacketIndex& index, const std::string& where);
+
 /// Which sensor is meant by its address and port, or by what of the two tells it from the others ("192.168.1.201",
-/// "2368"); empty: the only one. Throws Error(Unsupported) at `where` that names all of them, and Error(Format) where
-/// there is none.
+/// "2368"); empty: the only one. Throws Error(Unsupported) at `where` that names all of them, and the error of
+/// why_no_lidar where there is none.
 std::size_t choose_sensor(const PacketIndex& index, const std::string& asked, const std::string& where);
 
 /// Makes the sensor's scans those of the session, and says what is to be known of its packets. Throws

@@ -135,5 +135,19 @@ TEST(ouster_capture, two_sensors_of_one_capture_have_metadata_each) {
   EXPECT_EQ(open_session(file, {{"lidar", "10.0.0.1:7502"}}, progress).scans->load(0).size(), 1024U * 32U);
 }
 
+TEST(ouster_capture, a_second_lidar_that_is_not_read_is_named) {
+  std::vector<TimedFrame> frames = vlp16_drive(200, kOusterBegins_ns, 0.0);
+  for (TimedFrame& frame : ouster_drive(640, kOusterBegins_ns, static_cast<std::uint64_t>(kOusterBegins_ns), {},
+                                        {.address = 0x0a000001, .port = 7502}))
+    frames.push_back(std::move(frame));
+  const TemporaryFolder folder;
+  const drive::Session session = open(folder.write("drive.pcap", pcap(frames)));
+  EXPECT_GT(session.scans->size(), 0U);
+  const drive::Finding* refused = finding_of(session.findings, "capture-refused");
+  ASSERT_NE(refused, nullptr) << "without its metadata an Ouster cannot be read";
+  EXPECT_TRUE(contains(english(refused->where), "10.0.0.1:7502")) << english(refused->where);
+  EXPECT_TRUE(contains(english(refused->explanation), "drive.json")) << english(refused->explanation);
+}
+
 }  // namespace
 }  // namespace remount::formats
