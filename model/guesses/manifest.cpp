@@ -272,15 +272,17 @@ class ManifestWriter {
           .comment = said;
       return;
     }
-    const auto add = [&](const char* key, const ColumnRef& ref, const std::optional<ColumnRef>& side) -> DocumentNode& {
+    const auto add = [&](const char* key, const ColumnRef& ref, const std::optional<ColumnRef>& side,
+                         double sign) -> DocumentNode& {
       DocumentNode& node = columns.add(key, one_line());
       add_named(ref, node);
       node.add("unit", DocumentNode::string(std::string(to_string(layout.position_unit))));
       if (side) node.add("side", column(*side));
+      if (sign < 0.0) node.add("negated", DocumentNode::boolean(true));
       return node;
     };
-    add("latitude", layout.latitude, layout.latitude_side).comment = said;
-    add("longitude", layout.longitude, layout.longitude_side);
+    add("latitude", layout.latitude, layout.latitude_side, layout.place_signs[0]).comment = said;
+    add("longitude", layout.longitude, layout.longitude_side, layout.place_signs[1]);
     DocumentNode& height = columns.add("height", one_line());
     add_named(layout.height, height);
     height.add("unit", DocumentNode::string("m"));

@@ -8,6 +8,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/guesses.h"
 #include "model/guesses/error_columns.h"
+#include "model/guesses/lost_sign.h"
 #include "model/guesses/motion_hypotheses.h"
 
 namespace remount::guesses {
@@ -94,6 +95,7 @@ void put_position(const SampledTable& table, const PositionReading& position, fo
     layout.position_unit = position.unit;
     if (position.sides[0]) layout.latitude_side = table.ref(*position.sides[0]);
     if (position.sides[1]) layout.longitude_side = table.ref(*position.sides[1]);
+    for (std::size_t i = 0; i < 2; ++i) layout.place_signs[i] = position.negated[i] ? -1.0 : 1.0;
     return;
   }
   layout.metric_position = {table.ref(first), table.ref(second), table.ref(third)};
@@ -294,6 +296,24 @@ Guess position_guess(const SampledTable& table, const std::vector<Hypothesis>& a
   return guess;
 }
 
+/// Which sign is right is told by a map, not by the drive.
+void tell_lost_sign(const SampledTable& table, const Hypothesis& as_it_stands, const LostSign& lost,
+                    ChosenMotion& chosen) {
+  const Hypothesis& turned = lost.hypothesis();
+  std::vector<std::string> columns;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (turned.position->negated[i]) columns.push_back(table.label(turned.position->at[i]));
+  chosen.position.sureness = Sureness::Open;
+  chosen.position.evidence.push_back(lost.mirrored() ? say::guess_sign_lost(std::move(columns))
+                                                     : say::guess_signs_lost(std::move(columns)));
+  const Hypothesis& other = lost.mirrored() ? as_it_stands : turned;
+  add_other(
+      table, other,
+      (lost.mirrored() ? "negated: false, attitude: {" : "negated: true, attitude: {") + other.attitude.words() + "}",
+      chosen.position);
+  if (chosen.attitude.sureness == Sureness::Checked) chosen.attitude.sureness = Sureness::Likely;
+}
+
 /// Of columns that are called alike the first was taken.
 void tell_named_alike(const SampledTable& table, const ColumnNames& names, std::span<const std::size_t> columns,
                       Guess& guess) {
@@ -328,14 +348,20 @@ std::optional<ChosenMotion> choose_motion(const SampledTable& table, const Colum
       return std::nullopt;
     }
   }
+  std::optional<LostSign> lost = find_lost_sign(table, names, time, best, progress);
+  if (lost) settle_pitches(table, time, lost->hypothesis(), lost->all);
+  const bool mirrored = lost && lost->mirrored();
+  const std::vector<Hypothesis>& meant = mirrored ? lost->all : all;
+  const Hypothesis& taken = mirrored ? lost->hypothesis() : best;
   ChosenMotion chosen;
-  chosen.fit = best.fit;
-  put_position(table, *best.position, chosen.layout);
-  put_attitude(table, best.attitude, chosen.layout);
-  chosen.position = position_guess(table, all, best);
-  chosen.attitude = attitude_guess(table, all, best);
-  tell_named_alike(table, names, best.position->at, chosen.position);
-  tell_named_alike(table, names, best.attitude.columns(), chosen.attitude);
+  chosen.fit = taken.fit;
+  put_position(table, *taken.position, chosen.layout);
+  put_attitude(table, taken.attitude, chosen.layout);
+  chosen.position = position_guess(table, meant, taken);
+  chosen.attitude = attitude_guess(table, meant, taken);
+  if (lost) tell_lost_sign(table, best, *lost, chosen);
+  tell_named_alike(table, names, taken.position->at, chosen.position);
+  tell_named_alike(table, names, taken.attitude.columns(), chosen.attitude);
   put_errors(table, names, chosen);
   return chosen;
 }

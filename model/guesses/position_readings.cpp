@@ -35,7 +35,8 @@ double sign_of_side(const SampledTable& table, const std::optional<std::size_t>&
 std::vector<Eigen::Vector3d> metres_of(const SampledTable& table, const PositionReading& reading) {
   const auto& [first, second, third] = reading.at;
   const std::vector<double>&a = values_of(table, first), &b = values_of(table, second), &c = values_of(table, third);
-  const double north = sign_of_side(table, reading.sides[0], 'S'), east = sign_of_side(table, reading.sides[1], 'W');
+  const double north = sign_of_side(table, reading.sides[0], 'S') * (reading.negated[0] ? -1.0 : 1.0),
+               east = sign_of_side(table, reading.sides[1], 'W') * (reading.negated[1] ? -1.0 : 1.0);
   std::vector<Eigen::Vector3d> metres;
   std::optional<Eigen::Vector3d> origin;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -89,6 +90,13 @@ Movement movement_of(const std::vector<Eigen::Vector3d>& metres, const std::vect
   return movement;
 }
 
+Movement finished(const SampledTable& table, const TimeReading& time, PositionReading& reading) {
+  reading.metres = metres_of(table, reading);
+  const Movement movement = movement_of(reading.metres, time.times_s);
+  reading.way_m = movement.way_m;
+  return movement;
+}
+
 /// As far from the middle of the earth as its surface is, and no height.
 bool is_geocentric(const SampledTable& table, const std::array<std::size_t, 3>& at) {
   constexpr double kLeast_m = 6.33e6, kMost_m = 6.40e6, kNoHeight_m = 20'000.0;
@@ -123,12 +131,7 @@ class PositionReader {
     return std::nullopt;
   }
 
-  Movement finish(PositionReading& reading) const {
-    reading.metres = metres_of(table_, reading);
-    const Movement movement = movement_of(reading.metres, time_.times_s);
-    reading.way_m = movement.way_m;
-    return movement;
-  }
+  Movement finish(PositionReading& reading) const { return finished(table_, time_, reading); }
 
   /// Degrees beyond what radians may be, or where radians would be faster than any vehicle; beyond what degrees may be,
   /// one of the others.
@@ -274,6 +277,10 @@ class PositionReader {
 };
 
 }  // namespace
+
+void put_metres(const SampledTable& table, const TimeReading& time, PositionReading& reading) {
+  finished(table, time, reading);
+}
 
 bool has_geocentric_columns(const SampledTable& table) {
   for (std::size_t i = 0; i + 2 < table.columns.size(); ++i)

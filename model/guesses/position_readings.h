@@ -19,12 +19,16 @@ struct PositionReading {
   bool down = false;       ///< the third counts downwards
   formats::PlaceUnit unit = formats::PlaceUnit::Radians;  ///< of latitude and longitude
   std::array<std::optional<std::size_t>, 2> sides{};      ///< columns with N or S, with E or W
+  std::array<bool, 2> negated{};                          ///< latitude, longitude: whose sign has got lost
   bool other_unit_fits = false;  ///< its whole numbers may as well count another share of a degree
   bool by_name = false, unit_by_name = false;
   bool above_sea = false;
   std::vector<Eigen::Vector3d> metres{};  ///< of the sampled rows, from the first; NaN where there is none
   double way_m = 0.0;
 };
+
+/// Metres and way, of what else the reading says.
+void put_metres(const SampledTable& table, const TimeReading& time, PositionReading& reading);
 
 /// Whether three columns side by side count metres from the middle of the earth, which no manifest can have.
 bool has_geocentric_columns(const SampledTable& table);

@@ -142,6 +142,7 @@ class LayoutMaker {
       layout_.longitude = ref(ColumnRole::Longitude);
       layout_.height = ref(ColumnRole::Height);
       layout_.position_unit = choices_.position_unit;
+      for (std::size_t i = 0; i < 2; ++i) layout_.place_signs[i] = choices_.place_negated[i] ? -1.0 : 1.0;
       layout_.latitude_side = if_any(ColumnRole::LatitudeSide);
       layout_.longitude_side = if_any(ColumnRole::LongitudeSide);
       return;
@@ -268,7 +269,8 @@ bool same_time(const TableChoices& a, const TableChoices& b) {
 }
 
 bool same_position(const TableChoices& a, const TableChoices& b) {
-  return same_columns(a, b, kPositionRoles) && (a.metric() || a.position_unit == b.position_unit);
+  return same_columns(a, b, kPositionRoles) &&
+         (a.metric() || (a.position_unit == b.position_unit && a.place_negated == b.place_negated));
 }
 
 bool same_attitude(const TableChoices& a, const TableChoices& b) {
@@ -282,8 +284,10 @@ void give_role(const SampledTable& table, TableChoices& choices, std::size_t col
     for (ColumnRole& other : choices.roles)
       if (share_place(other, role)) other = before;
   choices.roles[column] = role;
-  if (is_one_of(role, kGeodeticRoles)) ignore(choices, kMetricRoles);
-  if (is_one_of(role, kSideRoles)) ignore(choices, kMetricRoles);
+  if (is_one_of(role, kGeodeticRoles) || is_one_of(role, kSideRoles)) {
+    ignore(choices, kMetricRoles);
+    choices.place_negated = {};  // the sign of another column says nothing of this one
+  }
   if (is_one_of(role, kMetricRoles)) {
     ignore(choices, kGeodeticRoles);
     ignore(choices, kSideRoles);
@@ -337,6 +341,7 @@ void take_motion(const SampledTable& table, const InsTableLayout& layout, TableC
     if (layout.latitude_side) putter.put(*layout.latitude_side, ColumnRole::LatitudeSide);
     if (layout.longitude_side) putter.put(*layout.longitude_side, ColumnRole::LongitudeSide);
     choices.position_unit = layout.position_unit;
+    for (std::size_t i = 0; i < 2; ++i) choices.place_negated[i] = layout.place_signs[i] < 0.0;
   }
   choices.attitude = style_of(layout);
   if (layout.quaternion) {

@@ -94,6 +94,7 @@ struct TableChoices {
   formats::TimeScale time_scale = formats::TimeScale::Unix;
   std::int64_t offset_ns = 0;                                      ///< added to the times
   formats::PlaceUnit position_unit = formats::PlaceUnit::Degrees;  ///< of latitude and longitude
+  std::array<bool, 2> place_negated{};                             ///< latitude, longitude
   AttitudeStyle attitude = AttitudeStyle::Heading;
   bool attitude_in_deg = true;
   std::array<bool, 3> negated{};  ///< yaw, pitch, roll

@@ -55,8 +55,9 @@ class RowParser {
 
  private:
   void take_position(motion::InsSample& sample) {
-    sample.latitude_rad = place(layout_.latitude, layout_.latitude_side, {'N', 'S'});
-    sample.longitude_rad = place(layout_.longitude, layout_.longitude_side, {'E', 'W'});
+    const auto& [latitude_sign, longitude_sign] = layout_.place_signs;
+    sample.latitude_rad = latitude_sign * place(layout_.latitude, layout_.latitude_side, {'N', 'S'});
+    sample.longitude_rad = longitude_sign * place(layout_.longitude, layout_.longitude_side, {'E', 'W'});
     sample.height_m = known(layout_.height);
     if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
       rows_.fail(drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)

@@ -28,6 +28,7 @@ struct InsTableLayout : TimeColumns {
   PlaceUnit position_unit = PlaceUnit::Radians;  ///< of latitude and longitude
   /// Columns with N or S, with E or W, beside numbers that have no sign.
   std::optional<ColumnRef> latitude_side, longitude_side;
+  std::array<double, 2> place_signs{1.0, 1.0};  ///< of latitude and longitude; -1: the log counts south, west positive
   drive::AttitudeConvention attitude = drive::AttitudeConvention::EnuYaw;
   double attitude_unit_rad = 1.0;  ///< radians in one unit of the angles and their sigma
   std::array<ColumnRef, 3> yaw_pitch_roll;

@@ -32,15 +32,20 @@ ColumnRef named_column(const DocumentView& node) {
 }
 
 void read_position_columns(const DocumentView& columns, InsTableLayout& layout) {
-  const auto read = [&](const char* key, ColumnRef& column, std::optional<ColumnRef>& side) {
+  auto& [latitude_sign, longitude_sign] = layout.place_signs;
+  const auto read = [&](const char* key, ColumnRef& column, std::optional<ColumnRef>& side, double& sign) {
     const DocumentView& node = columns.at(key);
-    node.allow_only({"name", "index", "unit", "side"});
+    node.allow_only({"name", "index", "unit", "side", "negated"});
     column = named_column(node);
     if (const auto letters = node.find("side")) side = read_column(*letters);
+    if (const auto negated = node.find("negated")) {
+      if (side) negated->fail(say::native_negated_side());
+      sign = negated->boolean() ? -1.0 : 1.0;
+    }
     return place_unit(node);
   };
-  layout.position_unit = read("latitude", layout.latitude, layout.latitude_side);
-  if (read("longitude", layout.longitude, layout.longitude_side) != layout.position_unit)
+  layout.position_unit = read("latitude", layout.latitude, layout.latitude_side, latitude_sign);
+  if (read("longitude", layout.longitude, layout.longitude_side, longitude_sign) != layout.position_unit)
     columns.fail(say::native_same_unit());
   const DocumentView& height = columns.at("height");
   if (height.is_map()) {

@@ -133,6 +133,91 @@ TEST_F(written_places, in_small_parts_of_a_degree_are_told_where_nothing_else_fi
   EXPECT_EQ(guess_of(named, GuessKind::Position)->sureness, Sureness::Named);
 }
 
+/// The way is mirrored then, and the heading would have to count against its name.
+TEST_F(written_places, without_the_sign_of_west_or_south_are_open_and_read_with_it) {
+  const std::vector<WrittenSample> south_west = moved(-0.58, -1.23);
+  for (const std::size_t lost : {0U, 1U}) {
+    const auto place = [&](const WrittenSample& s) {
+      const double latitude_rad = s.ins.latitude_rad, longitude_rad = s.ins.longitude_rad;
+      return Fields{degrees_text(lost == 0 ? std::abs(latitude_rad) : latitude_rad),
+                    degrees_text(lost == 1 ? std::abs(longitude_rad) : longitude_rad)};
+    };
+    const Description found = described_as("lat,lon", place, south_west);
+    ASSERT_TRUE(found.complete()) << lost;
+    const Guess* position = guess_of(found, GuessKind::Position);
+    EXPECT_EQ(position->sureness, Sureness::Open) << lost;
+    EXPECT_TRUE(says(position->evidence, "guess-sign-lost")) << lost;
+    ASSERT_EQ(position->other_layouts.size(), 1U) << lost;
+    EXPECT_EQ(position->other_layouts[0].place_signs, (std::array{1.0, 1.0}));
+    EXPECT_EQ(found.ins->layout.yaw_pitch_roll_signs[0], 1.0);
+    // The import page keeps it.
+    Progress progress;
+    const ImportData data = look_for_import({folder_.path()}, progress);
+    ASSERT_TRUE(data.table);
+    EXPECT_TRUE(data.table->preset.place_negated[lost]);
+    const drive::Session session = opened(found, folder_.path());
+    const double off_m = farthest_m(session, south_west);
+    std::cout << (lost == 0 ? "south" : "west") << " lost: off by " << off_m << " m\n";
+    EXPECT_LT(off_m, 1e-4) << lost;
+    std::filesystem::remove(folder_.path() / "session.yaml");
+  }
+}
+
+TEST_F(written_places, with_all_their_signs_are_not_doubted_anywhere) {
+  const auto place = [](const WrittenSample& s) {
+    return Fields{degrees_text(s.ins.latitude_rad), degrees_text(s.ins.longitude_rad)};
+  };
+  for (const auto& [latitude_rad, longitude_rad] :
+       {std::pair(-0.58, -1.23), {0.65, -2.13}, {-0.6, 2.6}, {0.84, 0.2}, {0.3, 3.0}}) {
+    const Description found = described_as("lat,lon", place, moved(latitude_rad, longitude_rad));
+    ASSERT_TRUE(found.complete());
+    EXPECT_EQ(guess_of(found, GuessKind::Position)->sureness, Sureness::Named) << latitude_rad;
+    EXPECT_EQ(guess_of(found, GuessKind::Attitude)->sureness, Sureness::Checked) << latitude_rad;
+    EXPECT_EQ(found.ins->layout.place_signs, (std::array{1.0, 1.0}));
+  }
+}
+
+/// Which may as well be a heading that is half a turn off: the numbers stay as they are.
+TEST_F(written_places, without_both_signs_are_open_as_they_stand) {
+  const auto place = [](const WrittenSample& s) {
+    return Fields{degrees_text(std::abs(s.ins.latitude_rad)), degrees_text(std::abs(s.ins.longitude_rad))};
+  };
+  const Description found = described_as("lat,lon", place, moved(-0.58, -1.23));
+  ASSERT_TRUE(found.complete());
+  const Guess* position = guess_of(found, GuessKind::Position);
+  EXPECT_EQ(position->sureness, Sureness::Open);
+  EXPECT_TRUE(says(position->evidence, "guess-signs-lost"));
+  EXPECT_EQ(found.ins->layout.place_signs, (std::array{1.0, 1.0}));
+  ASSERT_EQ(position->other_layouts.size(), 1U);
+  EXPECT_EQ(position->other_layouts[0].place_signs, (std::array{-1.0, -1.0}));
+}
+
+/// No quaternion turns with a mirrored way.
+TEST_F(written_places, without_a_sign_beside_a_quaternion_are_read_with_it) {
+  const std::vector<WrittenSample> west = moved(0.65, -2.13);
+  write_rows(
+      folder_.path() / "motion.csv", "time_ns,lat,lon,h,qx,qy,qz,qw\n",
+      [&](std::size_t, const WrittenSample& s) {
+        const Eigen::Quaterniond& q = s.ins.enu_from_ins;
+        return Fields{std::to_string(s.ins.stamp_ns),
+                      degrees_text(s.ins.latitude_rad),
+                      degrees_text(std::abs(s.ins.longitude_rad)),
+                      number(s.ins.height_m),
+                      number(q.x()),
+                      number(q.y()),
+                      number(q.z()),
+                      number(q.w())};
+      },
+      west);
+  const Description found = described({folder_.path()});
+  ASSERT_TRUE(found.complete());
+  EXPECT_EQ(guess_of(found, GuessKind::Position)->sureness, Sureness::Open);
+  EXPECT_EQ(found.ins->layout.place_signs, (std::array{1.0, -1.0}));
+  const double off_m = farthest_m(opened(found, folder_.path()), west);
+  std::cout << "off by " << off_m << " m\n";
+  EXPECT_LT(off_m, 1e-4);
+}
+
 TEST_F(written_places, whose_minutes_reach_sixty_are_no_minutes) {
   folder_.write("motion.csv",
                 "t,lat,lon,h,r,p,y\n1600000000,4860.0,1131.0,0,0,0,0\n1600000001,4807.0,1131.0,0,0,0,0\n");
