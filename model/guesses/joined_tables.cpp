@@ -62,7 +62,7 @@ class JoinedTable {
  public:
   JoinedTable(const SampledTable& positions, const TimeReading& position_time, const SampledTable& attitudes,
               const TimeReading& attitude_time)
-      : positions_(positions), attitudes_(attitudes) {
+      : positions_(positions) {
     const NearestRows places(position_time), turns(attitude_time);
     const bool by_places = places.period_s() >= turns.period_s();
     time_ = by_places ? position_time : attitude_time;
@@ -106,7 +106,6 @@ class JoinedTable {
   }
 
   const SampledTable& positions_;
-  const SampledTable& attitudes_;
   SampledTable joined_;
   TimeReading time_;
   std::vector<std::pair<const SampledTable*, std::size_t>> origins_;

@@ -39,7 +39,9 @@ bool is_better(const Hypothesis& turned, const Hypothesis& best) {
       turned.fit.residual_rad > best.fit.residual_rad + kWorse_rad)
     return false;
   const auto& [latitude, longitude] = turned.position->negated;
-  if (turned.attitude.quaternion) return latitude != longitude;
+  // An INS across its vehicle whose quaternion counts otherwise goes as well; the road, where it rises, tells them apart.
+  if (turned.attitude.quaternion)
+    return latitude != longitude && (slope_agrees(turned) || turned.fit.slope == SlopeFit::NotTold);
   // Both signs turn the way round and mirror nothing: the road alone tells such from an INS that looks backwards.
   if (latitude && longitude) return slope_agrees(turned) && !slope_agrees(best);
   // A yaw goes as well with an INS that sits across the vehicle, whose pitch is not that of the road.

@@ -18,8 +18,8 @@ namespace {
 double score_of(const PositionReading& position, const AttitudeReading& attitude, const TravelFit& fit) {
   constexpr double kUpright = 0.8, kNotUpright_rad = 60.0 * kDegree_rad, kUnusual_rad = 0.5 * kDegree_rad,
                    kOfOffset = 0.02, kOfTilt = 0.1, kBuiltIn_rad = 20.0 * kDegree_rad;
-  // A box may look any way that it is built in, before a column counts otherwise than its name says.
-  const bool as_named = attitude.by_name && attitude.usual_for_name && is_set_square(fit);
+  // A box may look any way that it is built in, before a column counts otherwise than a name says that tells how.
+  const bool as_named = attitude.telling_name && attitude.usual_for_name && is_set_square(fit);
   const double offset_rad = as_named ? std::min(size_of_offset(fit), kBuiltIn_rad) : size_of_offset(fit);
   double score_rad = fit.residual_rad + kOfOffset * offset_rad;
   // No drive tells roll; a vehicle leans little.

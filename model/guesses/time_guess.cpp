@@ -6,6 +6,7 @@
 
 #include "messages/guesses.h"
 #include "messages/table_import.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/guesses/time_steps.h"
 
@@ -104,6 +105,39 @@ void say_alternatives(const SampledTable& table, const std::vector<TimeReading>&
   }
 }
 
+std::int64_t gps_week_of(double unix_s) {
+  return formats::gps_ns_from_unix_ns(static_cast<std::int64_t>(unix_s) * 1'000'000'000) / formats::kGpsWeek_ns;
+}
+
+/// "2023-11-12", when a week of GPS begins.
+std::string first_day_of(std::int64_t gps_week) {
+  constexpr std::size_t kDay = 10;
+  constexpr std::int64_t kMinute_ns = 60'000'000'000;  // by the leap seconds it begins in the evening before, in UTC
+  return formats::format_date_ns(formats::unix_ns_from_gps_ns(gps_week * formats::kGpsWeek_ns + kMinute_ns))
+      .substr(0, kDay);
+}
+
+/// A column that names another week than that of the scans, which was taken: one of the two is wrong, and which, no
+/// number tells. Where they are turns of the count apart, the receiver's began anew.
+void doubt_named_week(const SampledTable& table, const std::vector<TimeReading>& readings, std::size_t chosen,
+                      const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
+  constexpr std::int64_t kTurn = 1024;
+  const TimeReading& ours = readings[chosen];
+  if (!ours.week_open() || stamps_ns.empty()) return;
+  const auto named = std::ranges::find_if(readings, [&](const TimeReading& other) {
+    return other.columns.gps_week && other.at.front() == ours.at.front();
+  });
+  if (named == readings.end()) return;
+  const std::int64_t week = gps_week_of(named->first_s),
+                     of_scans = gps_week_of(1e-9 * static_cast<double>(stamps_ns[stamps_ns.size() / 2]));
+  const std::string column = table.label(named->at.back());
+  const bool turned = (of_scans - week) % kTurn == 0;
+  guess.evidence.front() = turned ? say::guess_week_began_anew(column, week, of_scans)
+                                  : say::guess_week_contradicts(column, week, first_day_of(week), of_scans,
+                                                                first_day_of(of_scans));
+  guess.sureness = turned ? Sureness::Likely : Sureness::Open;
+}
+
 }  // namespace
 
 std::size_t within(const TimeReading& reading, const std::vector<std::int64_t>& stamps_ns) {
@@ -144,6 +178,7 @@ std::optional<ChosenTime> choose_time(const SampledTable& table, const ColumnNam
   const bool told = reading.first_s > kEarliest_s && stamps_tell(readings, chosen, stamps_ns);
   const bool checked = told && !holds_leap_seconds(reading, stamps_ns) && guess.sureness != Sureness::Open;
   if (checked) guess.sureness = Sureness::Checked;
+  doubt_named_week(table, readings, chosen, stamps_ns, guess);
   doubt(reading, guess);
   return ChosenTime{reading, std::move(guess)};
 }

@@ -5,14 +5,16 @@
 #include <limits>
 
 #include "algorithms/messages/render.h"
+#include "model/formats/files/running_period.h"
 #include "tests/model/guesses/described_drive.h"
+#include "tests/model/guesses/described_rows.h"
 
 namespace remount::guesses {
 namespace {
 
 namespace fs = std::filesystem;
 
-class doubtful_data : public DescribedDrive {
+class doubtful_data : public DescribedRows {
  protected:
   /// How far motions lie off the drive's where its samples are written so; infinite where the description lacks
   /// something.
@@ -259,6 +261,31 @@ TEST_F(doubtful_data, seconds_of_a_week_that_nothing_names_take_the_week_of_the_
     return fields;
   };
   EXPECT_LT(apart_as_described(layout), kTextPrecision);
+}
+
+TEST_F(doubtful_data, a_column_that_names_another_week_than_the_scans_leaves_the_time_open) {
+  for (const int weeks : {0, 1, 1024}) {
+    const formats::TemporaryFolder folder;
+    write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+    write_rows(folder.path() / "ins.csv", "Week,TOW(s)" + std::string(kGeodeticHead),
+               [&](std::size_t, const WrittenSample& sample) {
+                 const std::int64_t gps_ns = formats::gps_ns_from_unix_ns(sample.ins.stamp_ns);
+                 return joined({std::to_string(gps_ns / formats::kGpsWeek_ns - weeks),
+                                seconds_text(gps_ns % formats::kGpsWeek_ns)},
+                               geodetic(sample));
+               });
+    const Description found = described({folder.path()});
+    const Guess* time = guess_of(found, GuessKind::Time);
+    ASSERT_NE(time, nullptr) << weeks;
+    EXPECT_EQ(says(time->evidence, "guess-time-of-week"), weeks == 0) << english(time->evidence.front());
+    EXPECT_EQ(says(time->evidence, "guess-week-contradicts"), weeks == 1) << english(time->evidence.front());
+    EXPECT_EQ(says(time->evidence, "guess-week-began-anew"), weeks == 1024) << english(time->evidence.front());
+    EXPECT_EQ(time->sureness, weeks == 0   ? Sureness::Checked
+                              : weeks == 1 ? Sureness::Open
+                                           : Sureness::Likely)
+        << weeks << english(time->evidence.front());
+    EXPECT_EQ(found.open(), weeks == 1) << weeks;
+  }
 }
 
 }  // namespace
