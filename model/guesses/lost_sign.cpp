@@ -39,7 +39,8 @@ bool is_better(const Hypothesis& turned, const Hypothesis& best) {
       turned.fit.residual_rad > best.fit.residual_rad + kWorse_rad)
     return false;
   const auto& [latitude, longitude] = turned.position->negated;
-  // An INS across its vehicle whose quaternion counts otherwise goes as well; the road, where it rises, tells them apart.
+  // An INS across its vehicle whose quaternion counts otherwise goes as well; the road, where it rises, tells them
+  // apart.
   if (turned.attitude.quaternion)
     return latitude != longitude && (slope_agrees(turned) || turned.fit.slope == SlopeFit::NotTold);
   // Both signs turn the way round and mirror nothing: the road alone tells such from an INS that looks backwards.

@@ -307,10 +307,8 @@ void tell_lost_sign(const SampledTable& table, const Hypothesis& as_it_stands, c
   chosen.position.evidence.push_back(lost.mirrored() ? say::guess_sign_lost(std::move(columns))
                                                      : say::guess_signs_lost(std::move(columns)));
   const Hypothesis& other = lost.mirrored() ? as_it_stands : turned;
-  add_other(
-      table, other,
-      (lost.mirrored() ? "negated: false, attitude: {" : "negated: true, attitude: {") + other.attitude.words() + "}",
-      chosen.position);
+  const std::string negated = lost.mirrored() ? "false" : "true";
+  add_other(table, other, "negated: " + negated + ", attitude: {" + other.attitude.words() + "}", chosen.position);
   if (chosen.attitude.sureness == Sureness::Checked) chosen.attitude.sureness = Sureness::Likely;
 }
 

@@ -132,9 +132,9 @@ void doubt_named_week(const SampledTable& table, const std::vector<TimeReading>&
                      of_scans = gps_week_of(1e-9 * static_cast<double>(stamps_ns[stamps_ns.size() / 2]));
   const std::string column = table.label(named->at.back());
   const bool turned = (of_scans - week) % kTurn == 0;
-  guess.evidence.front() = turned ? say::guess_week_began_anew(column, week, of_scans)
-                                  : say::guess_week_contradicts(column, week, first_day_of(week), of_scans,
-                                                                first_day_of(of_scans));
+  guess.evidence.front() =
+      turned ? say::guess_week_began_anew(column, week, of_scans)
+             : say::guess_week_contradicts(column, week, first_day_of(week), of_scans, first_day_of(of_scans));
   guess.sureness = turned ? Sureness::Likely : Sureness::Open;
 }
 
