@@ -1,7 +1,8 @@
 # remount_discover_suites(target [ALONE suite...] [WITHOUT suite...] PROPERTIES name value...): a ctest entry for each
 # suite of a binary of GoogleTest, after it is built. Most tests take less time than a start of their process: an entry
 # for each took a minute of the whole run. Tests of the suites in ALONE have an entry each, for they measure what their
-# process holds; those in WITHOUT have none.
+# process holds; those in WITHOUT have none. Suites whose names end in _speed measure
+# time: no other test runs beside them.
 function(remount_discover_suites target)
   cmake_parse_arguments(ARG "" "" "ALONE;WITHOUT;PROPERTIES" ${ARGN})
   set(list ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)

@@ -1,4 +1,4 @@
-// What packets of a capture do not say or lack: its reader takes note of it as it reads.
+// What packets of a capture do not say or lack, and recordings that give nothing: readers take note of it as they read.
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 
@@ -14,7 +14,7 @@ DataCheck capture_check() {
                     {"capture-foreign", say::capture_foreign_meaning, say::capture_foreign_remedy},
                     {"capture-other-sensors", say::capture_other_sensors_meaning, say::capture_other_sensors_remedy},
                     {"capture-refused", say::capture_refused_meaning, say::capture_refused_remedy},
-                    {"capture-unused", say::capture_unused_meaning, say::capture_unused_remedy},
+                    {"recording-unused", say::recording_unused_meaning, say::recording_unused_remedy},
                     {"capture-truncated", say::capture_truncated_meaning, say::capture_truncated_remedy},
                     {"capture-position", say::capture_position_meaning, say::capture_position_remedy},
                     {"capture-*", say::capture_any_meaning, say::capture_any_remedy}}};

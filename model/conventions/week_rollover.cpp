@@ -8,12 +8,13 @@
 #include "model/conventions/stream_spans.h"
 #include "model/conventions/week_of_log.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/files/time_stamp.h"
 
 namespace remount::conventions {
 namespace {
 
-constexpr std::int64_t kTurn_ns = std::int64_t{1024} * 604'800 * 1'000'000'000;
+constexpr std::int64_t kTurn_ns = formats::kGpsWeeksOfTurn * formats::kGpsWeek_ns;
 constexpr std::int64_t kSlack_ns = 60'000'000'000;
 
 /// What two spans have in common; negative where they are apart.
@@ -55,7 +56,7 @@ std::int64_t week_rollover_ns(const TimeSpan& stream, const TimeSpan& other, boo
 
 drive::Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where) {
   const std::int64_t weeks =
-      1024 * std::abs(std::llround(static_cast<double>(moved_ns) / static_cast<double>(kTurn_ns)));
+      formats::kGpsWeeksOfTurn * std::abs(std::llround(static_cast<double>(moved_ns) / static_cast<double>(kTurn_ns)));
   return drive::make_finding(drive::Severity::Warning, kWeekRollover, where,
                              moved_ns > 0 ? say::weeks_early(weeks) : say::weeks_late(weeks));
 }

@@ -29,6 +29,7 @@
 #include "model/formats/sessions/pose_session_reader.h"
 #include "model/formats/sessions/several_sessions.h"
 #include "model/formats/sessions/smartloc_reader.h"
+#include "model/formats/sessions/unused_recordings.h"
 
 namespace remount::formats {
 
@@ -171,7 +172,7 @@ void settle(drive::Session& session) {
 
 drive::Session looked_at(drive::Session session, checks::LookAt look_at, const Progress& progress) {
   settle(session);
-  tell_unused_captures(session);
+  tell_unused_recordings(session);
   for (drive::Finding& finding : checks::data_findings(session, look_at, progress))
     session.findings.push_back(std::move(finding));
   return session;

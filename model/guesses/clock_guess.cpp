@@ -90,7 +90,7 @@ std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& scans, const
   const auto both_ways = [&](std::int64_t size_ns, const Message& cause) { add_both_ways(size_ns, cause, offsets); };
   both_ways(formats::kGpsEpoch_ns - leap_ns, say::guess_offset_epoch());
   both_ways(formats::kGpsEpoch_ns, say::guess_offset_epoch());
-  both_ways(1024 * formats::kGpsWeek_ns, say::guess_offset_rollover());
+  both_ways(formats::kGpsWeeksOfTurn * formats::kGpsWeek_ns, say::guess_offset_rollover());
   if (scans.first_ns > formats::kFirstRecording_ns && ins.first_ns >= 0 && ins.last_ns < 2 * formats::kUtcDay_ns)
     offsets.push_back({scans.first_ns - scans.first_ns % formats::kUtcDay_ns, say::guess_offset_of_day()});
   for (std::int64_t half_hours = 1; half_hours <= 28; ++half_hours)

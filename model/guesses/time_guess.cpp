@@ -121,7 +121,6 @@ std::string first_day_of(std::int64_t gps_week) {
 /// number tells. Where they are turns of the count apart, the receiver's began anew.
 void doubt_named_week(const SampledTable& table, const std::vector<TimeReading>& readings, std::size_t chosen,
                       const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
-  constexpr std::int64_t kTurn = 1024;
   const TimeReading& ours = readings[chosen];
   if (!ours.week_open() || stamps_ns.empty()) return;
   const auto named = std::ranges::find_if(readings, [&](const TimeReading& other) {
@@ -131,11 +130,14 @@ void doubt_named_week(const SampledTable& table, const std::vector<TimeReading>&
   const std::int64_t week = gps_week_of(named->first_s),
                      of_scans = gps_week_of(1e-9 * static_cast<double>(stamps_ns[stamps_ns.size() / 2]));
   const std::string column = table.label(named->at.back());
-  const bool turned = (of_scans - week) % kTurn == 0;
+  const bool turned = (of_scans - week) % formats::kGpsWeeksOfTurn == 0;
   guess.evidence.front() =
       turned ? say::guess_week_began_anew(column, week, of_scans)
              : say::guess_week_contradicts(column, week, first_day_of(week), of_scans, first_day_of(of_scans));
-  guess.sureness = turned ? Sureness::Likely : Sureness::Open;
+  if (!turned)
+    guess.sureness = Sureness::Open;
+  else if (guess.sureness != Sureness::Open)
+    guess.sureness = Sureness::Likely;
 }
 
 }  // namespace

@@ -10,6 +10,8 @@ namespace remount::formats {
 
 inline constexpr std::int64_t kUtcDay_ns = std::int64_t{86'400} * 1'000'000'000;
 inline constexpr std::int64_t kGpsWeek_ns = 7 * kUtcDay_ns;
+/// Receivers count weeks in ten bits.
+inline constexpr std::int64_t kGpsWeeksOfTurn = 1024;
 /// Times run on where a recording goes over the end of a week; none goes on for a month.
 inline constexpr std::int64_t kLatestInWeek_ns = 5 * kGpsWeek_ns;
 

@@ -162,6 +162,7 @@ bool LvxIndexing::read_frame() {
   const std::uint64_t begins = at_ + layout_.frame_head, ends = std::min(next, file_->size());
   const std::size_t whole = take_packages(file_->read(begins, ends - begins), begins);
   ++frames_;
+  ++index_.counts.frames;
   at_ = index_.counts.cut ? begins + whole : next;
   if (!index_.counts.cut && whole < ends - begins) ++index_.counts.broken_frames;
   return !index_.counts.cut;

@@ -51,33 +51,12 @@ drive::SessionTopic sensor_topic(const SensorPackets& sensor) {
   return {name_of(sensor), sensor.decoder->model(), sensor.packets.size(), 0.0, {std::string(kLidarRole)}, {}};
 }
 
-/// Of a capture that holds no LiDAR, or cannot be read.
-Message why_unused(const fs::path& capture) {
-  try {
-    return why_no_lidar(index_begin(capture), capture.string()).what_happened();
-  } catch (const Error& error) {
-    return error.what_happened();
-  }
-}
-
 std::string asked_sensor(const drive::TopicChoice& topics) {
   const auto asked = topics.find(kLidarRole);
   return asked == topics.end() || asked->second == drive::kNoTopic ? std::string() : asked->second;
 }
 
 }  // namespace
-
-void tell_unused_captures(drive::Session& session) {
-  if (session.scans || !session.odometry_from_lidar.empty() || !is_folder(session.path)) return;
-  for (const fs::path& file : files_in(session.path)) {
-    const std::string ending = file.extension().string();
-    if (std::ranges::find(session.files, file) != session.files.end()) continue;
-    if (!is_capture(file) && ending != ".pcap" && ending != ".pcapng") continue;
-    const Message why = why_unused(file);
-    session.findings.push_back(
-        drive::make_finding(drive::Severity::Problem, "capture-unused", file.string(), say::capture_unused(why)));
-  }
-}
 
 int CaptureReader::probe(const fs::path& path) const {
   constexpr int kSure = 95, kFolder = 90, kNothingElse = 20;

@@ -20,7 +20,4 @@ class CaptureReader final : public SessionReader {
   std::vector<drive::LidarOffer> offer_lidars(const std::filesystem::path& path, Progress& progress) const override;
 };
 
-/// Where a folder was read as a session without a LiDAR, adds "capture-unused" of each capture beside, with its reason.
-void tell_unused_captures(drive::Session& session);
-
 }  // namespace remount::formats

@@ -218,6 +218,21 @@ TEST_F(written_places, without_a_sign_beside_a_quaternion_are_read_with_it) {
   EXPECT_LT(off_m, 1e-4);
 }
 
+/// The same numbers as those of a mirrored way with a quaternion that counts otherwise; a level road tells nothing.
+TEST_F(written_places, of_an_ins_across_with_a_quaternion_are_open_on_a_level_road) {
+  std::vector<WrittenSample> across = circles(session_->scans->stamp_ns(0) - 1'000'000'000, 30.0);
+  for (WrittenSample& sample : across)
+    sample.ins.enu_from_ins = sample.ins.enu_from_ins * Eigen::AngleAxisd(kPi / 2.0, Eigen::Vector3d::UnitZ());
+  folder_.write("motion.txt", table_text(layouts()[5], across));
+  const Description found = described({folder_.path()});
+  ASSERT_TRUE(found.ins);
+  const Guess* position = guess_of(found, GuessKind::Position);
+  EXPECT_EQ(position->sureness, Sureness::Open);
+  EXPECT_TRUE(std::ranges::any_of(position->other_layouts, [](const formats::InsTableLayout& other) {
+    return other.place_signs == std::array{1.0, 1.0} && other.quaternion == drive::QuaternionConvention::NedFromBody;
+  })) << "as it is";
+}
+
 TEST_F(written_places, whose_minutes_reach_sixty_are_no_minutes) {
   folder_.write("motion.csv",
                 "t,lat,lon,h,r,p,y\n1600000000,4860.0,1131.0,0,0,0,0\n1600000001,4807.0,1131.0,0,0,0,0\n");

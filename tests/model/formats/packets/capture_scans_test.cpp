@@ -170,7 +170,10 @@ TEST(capture_scans, sensors_are_told_apart_by_address_and_port) {
 
 TEST(capture_scans, without_a_lidar_what_is_there_is_named) {
   EXPECT_ERROR(scans_of({{1, ethernet_udp("hello", {.port = 7502})}}), "datagrams of 192.168.1.201:7502");
-  EXPECT_ERROR(scans_of({}), "holds no UDP datagrams");
+  EXPECT_ERROR(scans_of({}), "holds no packets at all");
+  std::string of_tcp = ipv4(udp("hello"));
+  of_tcp[9] = 6;
+  EXPECT_ERROR(scans_of({{1, ethernet(of_tcp)}}), "holds no UDP datagrams");
   EXPECT_ERROR(scans_of({{1, ethernet_udp(position_packet("", 2), {.port = 8308})}}),
                "datagrams of 192.168.1.201:8308");
   VelodynePacket other_mode;

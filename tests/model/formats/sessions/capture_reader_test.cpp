@@ -49,38 +49,6 @@ TEST(capture_reader, a_capture_alone_is_half_a_session) {
   EXPECT_EQ(session.scans->size(), 2U);
 }
 
-/// As a capture has it that keeps the first so many bytes of each frame.
-std::string cut_capture(std::size_t packets, std::size_t bytes) {
-  std::vector<TimedFrame> frames = vlp16_drive(packets, kDriveBegins_ns, kPastTheHour_us);
-  PcapOptions options;
-  options.most_bytes = bytes;
-  return pcap(frames, options);
-}
-
-TEST(capture_reader, a_capture_that_gives_no_scans_beside_a_log_is_named_with_its_reason) {
-  struct Case {
-    std::string bytes;
-    std::string reason;
-  };
-  const std::vector<Case> cases = {{cut_capture(200, 200), "200 were looked at, of which the ends were not captured"},
-                                   {pcap({}), "holds no packets at all"},
-                                   {"", "is no capture of network packets"},
-                                   {pcap({{1, ethernet_udp("hello")}}), "datagrams of 192.168.1.201:2368"}};
-  for (const auto& [bytes, reason] : cases) {
-    const TemporaryFolder folder;
-    folder.write("drive.pcap", bytes);
-    folder.write("ins.log", ins_log());
-    const drive::Session session = open(folder.path());
-    EXPECT_EQ(session.ins.size(), 120U);
-    const drive::Finding* finding = find(session, "capture-unused");
-    ASSERT_NE(finding, nullptr) << reason;
-    EXPECT_EQ(finding->severity, drive::Severity::Problem);
-    EXPECT_TRUE(contains(english(finding->explanation), reason)) << english(finding->explanation);
-  }
-  const TemporaryFolder alone;
-  EXPECT_ERROR(open(alone.write("drive.pcap", cut_capture(200, 200))), "tcpdump -s 0");
-}
-
 std::string sentence_of(const std::string& body) {
   unsigned sum = 0;
   for (const char c : body) sum ^= static_cast<unsigned char>(c);
