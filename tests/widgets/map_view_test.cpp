@@ -19,6 +19,7 @@
 #include <thread>
 
 #include "messages/stages.h"
+#include "tests/support/draws.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/scene/frame_budget.h"
@@ -281,6 +282,7 @@ TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
 }
 
 TEST_F(map_page, offers_no_session_that_was_opened_after_the_calibration) {
+  ONLY_IN_LONG_TESTS();
   trigger("Ctrl+M");
   ASSERT_TRUE(shown());
   window_.open_paths({"/data/drive2"});

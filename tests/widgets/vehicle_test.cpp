@@ -16,6 +16,7 @@
 #include "app/gui/features/vehicle_export_dialog.h"
 #include "app/gui/shell/main_window.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/draws.h"
 #include "tests/support/sanitized.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/map/map_view.h"
@@ -241,6 +242,7 @@ TEST_F(vehicle_window, exports_all_lidars) {
 }
 
 TEST_F(vehicle_window, lidars_of_other_recordings_keep_what_they_have) {
+  ONLY_IN_LONG_TESTS();
   calibrate_together();
   vehicle().show(kRear);
   ASSERT_TRUE(settle());
@@ -290,6 +292,7 @@ TEST_F(vehicle_window, what_is_undone_while_it_runs_stays_undone) {
 }
 
 TEST_F(vehicle_window, a_method_that_finds_no_lidar_in_the_ins_frame_shows_no_numbers) {
+  ONLY_IN_LONG_TESTS();
   calibrate_together();
   workbench_.setup().edit_option("run", "method", static_cast<int>(method_registry::MethodChoice("vehicle-frame")));
   workbench_.calibrations().calibrate();
@@ -363,6 +366,7 @@ void expect_same_lidars(const gui::Vehicle& before, const gui::Vehicle& later) {
 }
 
 TEST_F(vehicle_window, a_project_of_mixed_sessions_loses_no_lidar) {
+  ONLY_IN_LONG_TESTS();
   calibrate_together();
   vehicle().show(kRear);
   ASSERT_TRUE(settle());

@@ -9,6 +9,7 @@
 
 #include "app/gui/basics/language.h"
 #include "app/gui/document/report_maker.h"
+#include "tests/support/draws.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/shell/log_panel.h"
 
@@ -59,6 +60,7 @@ TEST_F(window_host, a_report_is_finished_before_the_language_changes) {
 }
 
 TEST_F(window_host, a_report_that_fails_lets_the_language_change_too) {
+  ONLY_IN_LONG_TESTS();
   report().make("/nowhere/at/all/drive.html");
   host_.change_language("zh_CN");
   EXPECT_TRUE(QTest::qWaitFor([&] { return changed_.count() > 0; }, kPatience_ms));

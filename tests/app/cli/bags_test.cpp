@@ -7,6 +7,7 @@
 #include "model/formats/documents/transform_document.h"
 #include "model/project/project.h"
 #include "tests/app/cli/program_fixture.h"
+#include "tests/support/draws.h"
 
 namespace remount::cli {
 namespace {
@@ -51,6 +52,7 @@ TEST_F(cli_bags, are_calibrated_to_the_truth) {
 }
 
 TEST_F(cli_bags, a_fleet_chooses_their_topics_and_notices_when_it_chooses_others) {
+  ONLY_IN_LONG_TESTS();
   const auto fleet = [](const std::string& vehicle) {
     std::ofstream(path("bags.yaml")) << "format: remount-fleet/1\nsettings: {run: {map_check: false}}\n"
                                      << "topics: {ins: /ins/imu, ins-position: /ins/fix}\nvehicles:\n"

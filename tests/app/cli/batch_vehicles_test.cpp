@@ -7,6 +7,7 @@
 #include "model/fleet/fleet.h"
 #include "model/results/vehicle_file.h"
 #include "tests/app/cli/program_fixture.h"
+#include "tests/support/draws.h"
 
 namespace remount::cli {
 namespace {
@@ -161,6 +162,7 @@ TEST_F(cli_batch_vehicles, one_lidar_by_its_name_is_a_vehicle_with_one) {
 }
 
 TEST_F(cli_batch_vehicles, a_stop_leaves_no_half_result_and_the_next_run_goes_on) {
+  ONLY_IN_LONG_TESTS();
   const fleet::Fleet fleet = fleet_of("stopped.yaml", "  - {name: v, sessions: [drive]}\n");
   const std::string log = path("stopped.log");
   const pid_t job = start({"batch", path("stopped.yaml"), "--job", "1", "-j", "1", "--log", log}, path("stopped.err"));

@@ -7,8 +7,8 @@
 #include "model/project/holder_lock.h"
 #include "model/results/exporters/exporter.h"
 #include "tests/app/cli/program_fixture.h"
+#include "tests/support/draws.h"
 #include "tests/support/fault_law.h"
-#include "tests/support/seeds.h"
 
 namespace remount::cli {
 namespace {
@@ -64,6 +64,7 @@ TEST_F(cli_save_faults, of_an_export_leave_the_old_or_the_new_file_and_the_exit_
 }
 
 TEST_F(cli_save_faults, an_export_that_is_killed_leaves_the_old_or_the_new_file) {
+  ONLY_IN_LONG_TESTS();
   if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
   const int kKills = testing::draws_all() ? 200 : 100;
   const testing::SavedFile file = exported_file();

@@ -6,6 +6,7 @@
 
 #include "model/results/vehicle_file.h"
 #include "tests/app/cli/program_fixture.h"
+#include "tests/support/draws.h"
 
 namespace remount::cli {
 namespace {
@@ -177,6 +178,7 @@ TEST_F(cli_vehicle_results, exports_lose_no_lidar_and_no_file) {
 }
 
 TEST_F(cli_vehicle_results, of_a_file_whose_format_is_named_the_lidar_has_its_own_mounting) {
+  ONLY_IN_LONG_TESTS();
   ASSERT_EQ(run("export " + vehicle() + " --to ros2 -o " + path("tf.launch.xml")).code, 0);
   const std::string from = "calibrate " + path("drive") + " --lidars rear --nominal ";
   for (const std::string& nominal : {"rear=ros2:" + path("tf.launch.xml"), "ros2:" + path("tf.launch.xml")}) {
@@ -195,6 +197,7 @@ TEST_F(cli_vehicle_results, of_a_file_whose_format_is_named_the_lidar_has_its_ow
 }
 
 TEST_F(cli_vehicle_results, exports_are_nominals_of_all_lidars_by_their_names) {
+  ONLY_IN_LONG_TESTS();
   ASSERT_EQ(run("export " + vehicle() + " --to autoware --lidar-frame rear=camera -o " + path("kit.yaml")).code, 0);
   const Outcome outcome = run("calibrate " + path("drive") + " --lidars all --nominal " + path("kit.yaml") +
                               " --nominal rear=-1.5,0,0.9,180,0,0 -o " + path("with_nominal.yaml"));

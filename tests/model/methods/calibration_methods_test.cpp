@@ -7,6 +7,7 @@
 #include "model/method_registry/calibration_method.h"
 #include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/draws.h"
 #include "tests/support/kept_scans.h"
 
 namespace remount::methods {
@@ -180,6 +181,7 @@ TEST(calibration_methods, do_not_take_a_declared_mounting_for_one_in_another_fra
 }
 
 TEST(calibration_methods, say_which_registrations_no_sigma_contains) {
+  ONLY_IN_LONG_TESTS();
   const simulator::SimulatedDrive drive = flat_figure();
   pipeline::PipelineInput input;
   input.sessions = {flat_drive(drive)};

@@ -12,6 +12,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/findings.h"
 #include "tests/support/kept_scans.h"
 
@@ -60,6 +61,7 @@ class known_beams : public ::testing::Test {
 };
 
 TEST_F(known_beams, take_the_error_out_of_a_method_that_knows_nothing_of_beams) {
+  ONLY_IN_LONG_TESTS();
   const simulator::SimulatedDrive drive = drive_of_erring_lidar(3);
   const pipeline::PipelineOutput without = calibrate_by("trajectory", drive, {});
   const pipeline::PipelineOutput with = calibrate_by("trajectory", drive, file_);

@@ -19,6 +19,7 @@
 #include "model/pipeline/pipeline.h"
 #include "model/pipeline/register_stage.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/draws.h"
 #include "tests/support/kept_scans.h"
 #include "tests/support/sanitized.h"
 
@@ -162,6 +163,7 @@ TEST(cancelling, an_alignment_and_its_equations) {
 }
 
 TEST(cancelling, many_pairs_on_two_workers) {
+  ONLY_IN_LONG_TESTS();
   const simulator::SimulatedDrive drive = street_in_memory();
   const DriveMotion motion({std::make_shared<drive::Session>(drive.session)});
   const settings::Settings settings;

@@ -16,6 +16,7 @@
 #include "model/results/deciding_notes.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/forwarded_scans.h"
 #include "tests/support/kept_scans.h"
 
@@ -130,6 +131,7 @@ TEST(told_by_trend, goes_on_as_the_last_two_solutions_did) {
 }
 
 TEST(chosen_pairs, hold_those_that_the_user_decided_and_are_the_same_each_time) {
+  ONLY_IN_LONG_TESTS();
   const simulator::SimulatedDrive drive = long_enough(32.0, 32);
   PipelineInput input = input_of(drive, motion::PairChoice::Auto);
   Progress progress;

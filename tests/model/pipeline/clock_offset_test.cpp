@@ -7,8 +7,8 @@
 #include "model/formats/ins/samples_between_fixes.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/kept_scans.h"
-#include "tests/support/seeds.h"
 
 namespace remount::pipeline {
 namespace {
@@ -90,6 +90,7 @@ TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_
 }
 
 TEST(clock_offset, is_that_of_each_session) {
+  ONLY_IN_LONG_TESTS();
   const ClockRun run =
       calibrate_clocks({testing::simulate_drive(eight(-0.03, 1)), testing::simulate_drive(eight(0.0, 2))});
   const calibration::CalibrationResult& result = run.output.result;
@@ -155,6 +156,7 @@ void slow_down_fixes(bool attitudes_stay, drive::Session& session) {
 }
 
 TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
+  ONLY_IN_LONG_TESTS();
   for (const bool attitudes_stay : {true, false})
     for (const int seed : testing::some_of({3, 4})) {
       simulator::SimulationOptions options = eight(0.0, seed);

@@ -7,6 +7,7 @@
 #include "model/simulator/patterns/lidar_models.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/findings.h"
 #include "tests/support/kept_scans.h"
 
@@ -86,6 +87,7 @@ TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
 }
 
 TEST(imperfect_beams, whose_ranges_are_too_long_are_no_lag_of_the_clock) {
+  ONLY_IN_LONG_TESTS();
   simulator::SimulationOptions options = short_street(5);
   options.lidar_errors.range_scale = 0.002;
   const WithBeams run = calibrate_beams(testing::simulate_drive(options));
@@ -99,6 +101,7 @@ TEST(imperfect_beams, whose_ranges_are_too_long_are_no_lag_of_the_clock) {
 // The mirror of a LiDAR that looks ahead bends its field by a few hundredths of a degree: pitch was 0.19 degrees off,
 // at 14 sigma.
 TEST(imperfect_beams, over_a_field_that_looks_ahead_are_in_sigma) {
+  ONLY_IN_LONG_TESTS();
   simulator::SimulationOptions options;
   options.lidar.model = simulator::lidar_named("m1");
   options.lidar.points_per_scan = 12000;
@@ -116,6 +119,7 @@ TEST(imperfect_beams, over_a_field_that_looks_ahead_are_in_sigma) {
 }
 
 TEST(imperfect_beams, of_a_perfect_lidar_widen_sigma_by_little_and_are_not_mended) {
+  ONLY_IN_LONG_TESTS();
   const simulator::SimulatedDrive drive = testing::simulate_drive(short_street(4));
   const WithBeams perfect = calibrate_beams(drive), unknown = calibrate_beams(drive, cloud::LidarKind::Unknown);
   EXPECT_TRUE(perfect.output.result.beams.empty());

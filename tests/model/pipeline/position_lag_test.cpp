@@ -10,8 +10,8 @@
 #include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/kept_scans.h"
-#include "tests/support/seeds.h"
 
 namespace remount::pipeline {
 namespace {
@@ -138,6 +138,7 @@ TEST(position_lag, of_attitudes_that_are_late_is_taken_out_by_trajectory_alignme
 
 /// 2 ms moved x by 25 of its sigmas, though the drive told of them by three of its own.
 TEST(position_lag, that_is_likely_and_does_not_stand_out_is_in_the_sigmas) {
+  ONLY_IN_LONG_TESTS();
   const std::vector<int> seeds = testing::some_of({51, 52, 53, 54});
   std::size_t likely = 0;
   for (const int seed : seeds) {
@@ -188,6 +189,7 @@ TEST(position_lag, that_is_to_stay_in_is_in_the_sigma_of_trajectory_alignment) {
 /// Positions and attitudes are of the INS alone, whenever the scans were taken. It was thrown away with the clocks, and
 /// x was off by 0.3 m.
 TEST(position_lag, is_taken_out_as_well_where_scans_do_not_tell_their_times) {
+  ONLY_IN_LONG_TESTS();
   for (const int seed : testing::some_of({37, 38}))
     for (const char* method : {"pairwise", "trajectory"})
       for (const calibration::ClockOffsetUse use :

@@ -9,6 +9,7 @@
 #include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/forwarded_scans.h"
 #include "tests/support/kept_scans.h"
 
@@ -62,6 +63,7 @@ TEST(simulated_street, reaches_the_stated_accuracy_with_64_beams_and_no_nominal)
 }
 
 TEST(simulated_street, is_solved_for_a_sensor_turned_by_180_degrees) {
+  ONLY_IN_LONG_TESTS();
   SimulationOptions options = small(ScenarioKind::Street);
   options.ins_from_lidar = rigid_from_six({-0.4, 0.3, 0.9, degrees_to_radians(179.0), 0.02, -0.03});
   const Calibrated run = calibrate_simulated(options);
@@ -130,6 +132,7 @@ TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anyw
 }
 
 TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
+  ONLY_IN_LONG_TESTS();
   SimulationOptions options = small(ScenarioKind::Street);
   options.lidar_clock_offset_s = 0.04;
   settings::Settings settings;

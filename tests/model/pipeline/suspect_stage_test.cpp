@@ -8,6 +8,7 @@
 #include "algorithms/messages/render.h"
 #include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/draws.h"
 #include "tests/support/findings.h"
 #include "tests/support/kept_scans.h"
 
@@ -223,6 +224,7 @@ simulator::SimulationOptions small_drive() {
 }
 
 TEST(suspect_stage, a_calibration_without_nominal_names_the_clock_that_is_off) {
+  ONLY_IN_LONG_TESTS();
   simulator::SimulationOptions options = small_drive();
   options.lidar_clock_offset_s = 0.5;
   const PipelineOutput output = calibrated(testing::simulate_drive(options), false);

@@ -11,6 +11,7 @@
 #include "model/results/result_file.h"
 #include "model/rig/rig_findings.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/draws.h"
 #include "tests/support/kept_scans.h"
 
 namespace remount::rig {
@@ -133,6 +134,7 @@ TEST(rig_calibration, a_lidar_that_turned_between_drives_is_named_and_the_others
 }
 
 TEST(rig_calibration, where_all_drives_differ_the_ins_is_named) {
+  ONLY_IN_LONG_TESTS();
   std::vector<simulator::LidarMount> turned = two_mounts();
   for (simulator::LidarMount& lidar : turned)
     lidar.options.ins_from_lidar =

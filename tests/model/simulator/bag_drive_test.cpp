@@ -14,6 +14,7 @@
 #include "model/formats/session_readers.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/model/simulator/written_drive.h"
+#include "tests/support/draws.h"
 
 namespace remount::simulator {
 namespace {
@@ -140,6 +141,7 @@ TEST(bag_drive, a_record_of_apollo_gives_the_mounting_within_its_sigmas) {
 }
 
 TEST(bag_drive, packets_of_a_sensor_are_calibrated_as_those_of_a_capture) {
+  ONLY_IN_LONG_TESTS();
   expect_calibrated_on_ramp(lasting(15.0), "rosbag1-velodyne");
 }
 

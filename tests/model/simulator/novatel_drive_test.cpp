@@ -6,6 +6,7 @@
 #include "algorithms/messages/render.h"
 #include "model/drive/session_frames.h"
 #include "tests/model/simulator/written_drive.h"
+#include "tests/support/draws.h"
 #include "tests/support/findings.h"
 
 namespace remount::simulator {
@@ -57,6 +58,7 @@ TEST(novatel_drive, as_logs_gives_the_mounting_that_stands_beside_it) {
 }
 
 TEST(novatel_drive, as_a_bag_gives_its_truth_when_it_is_calibrated) {
+  ONLY_IN_LONG_TESTS();
   SimulationOptions options;
   options.beams = 16;
   options.azimuth_steps = 450;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/model/simulator/written_drive.h"
+#include "tests/support/draws.h"
 
 namespace remount::simulator {
 namespace {
@@ -13,7 +14,10 @@ TEST(ouster_drive, points_and_times_are_those_that_were_simulated) {
   EXPECT_LT(errors.worst_s, 1e-7);
 }
 
-TEST(ouster_drive, is_calibrated_to_the_truth) { expect_calibrated_on_ramp(lasting(8.0), "ouster"); }
+TEST(ouster_drive, is_calibrated_to_the_truth) {
+  ONLY_IN_LONG_TESTS();
+  expect_calibrated_on_ramp(lasting(8.0), "ouster");
+}
 
 }  // namespace
 }  // namespace remount::simulator

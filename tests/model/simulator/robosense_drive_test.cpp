@@ -5,6 +5,7 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "tests/model/simulator/written_drive.h"
+#include "tests/support/draws.h"
 
 namespace remount::simulator {
 namespace {
@@ -46,7 +47,10 @@ TEST(robosense_drive, an_m1_rounds_directions_and_ranges_and_keeps_times) {
   EXPECT_LT(worst_s, 1.1e-6) << "of a microsecond";
 }
 
-TEST(robosense_drive, is_calibrated_to_the_truth) { expect_calibrated_on_ramp(lasting(15.0), "robosense"); }
+TEST(robosense_drive, is_calibrated_to_the_truth) {
+  ONLY_IN_LONG_TESTS();
+  expect_calibrated_on_ramp(lasting(15.0), "robosense");
+}
 
 }  // namespace
 }  // namespace remount::simulator

@@ -11,6 +11,7 @@
 #include "messages/calibration.h"
 #include "tests/algorithms/support/simulated_rig.h"
 #include "tests/support/chi_square.h"
+#include "tests/support/draws.h"
 
 namespace remount::calibration {
 namespace {
@@ -73,7 +74,7 @@ TEST(rig, exact_data_give_exact_mountings) {
 void expect_sigmas_that_hold(double clock_sigma_s) {
   Tally single, relative;
   double narrower = 0.0;
-  constexpr int kDrives = 30;
+  const int kDrives = testing::some_of_many(30, 16);
   for (int seed = 1; seed <= kDrives; ++seed) {
     testing::RigOptions options = small_rig();
     options.clock_sigma_s = clock_sigma_s;
@@ -108,6 +109,8 @@ TEST(rig, sigmas_of_mountings_and_between_them_hold) { expect_sigmas_that_hold(0
 
 TEST(rig, so_they_do_where_the_clock_of_each_lidar_is_unknown) { expect_sigmas_that_hold(2e-3); }
 
+int drawn_drives() { return testing::some_of_many(40, 20); }
+
 /// Drives whose INS errs by white noise alone, and the same solved as if every scan was measured at once.
 struct SweptTally {
   Tally single, relative, taken_for_independent;
@@ -115,7 +118,7 @@ struct SweptTally {
 
   static SweptTally of(const std::vector<double>& sweeps_s, const std::vector<double>& phases_s, bool any_cross) {
     SweptTally tally;
-    constexpr int kDrives = 40;
+    const int kDrives = drawn_drives();
     for (int seed = 101; seed <= 100 + kDrives; ++seed) {
       testing::RigOptions options = small_rig();
       options.drive.noise.ins_position_drift = options.drive.noise.ins_attitude_drift = 0.0;
@@ -160,8 +163,8 @@ struct SweptTally {
 // part of it in common: together they tell less of what they share than as many that look at other times.
 TEST(rig, sweeps_that_overlap_have_errors_of_the_ins_in_common) {
   const SweptTally tally = SweptTally::of({0.4, 0.4, 0.4}, {0.0, 0.04, 0.08}, true);
-  tally.single.expect_within_one_percent("mountings", 40);
-  tally.relative.expect_within_one_percent("relative mountings", 40);
+  tally.single.expect_within_one_percent("mountings", drawn_drives());
+  tally.relative.expect_within_one_percent("relative mountings", drawn_drives());
   const int count = tally.taken_for_independent.count;
   EXPECT_GT((tally.taken_for_independent.sum / count).maxCoeff(),
             testing::chi_square_quantile(count, testing::kOnePercentOutside) / count);
@@ -170,19 +173,22 @@ TEST(rig, sweeps_that_overlap_have_errors_of_the_ins_in_common) {
 
 // Two are triggered together and have all of it in common, the third looks later and for longer.
 TEST(rig, sweeps_of_several_lengths_and_at_once_do_so_too) {
+  ONLY_IN_LONG_TESTS();
   const SweptTally tally = SweptTally::of({0.3, 0.3, 0.45}, {0.0, 0.0, 0.2}, true);
-  tally.single.expect_within_one_percent("mountings", 40);
-  tally.relative.expect_within_one_percent("relative mountings", 40);
+  tally.single.expect_within_one_percent("mountings", drawn_drives());
+  tally.relative.expect_within_one_percent("relative mountings", drawn_drives());
 }
 
 // Each is calibrated by its own scans, which do not overlap: it is as certain as if the others were not there. What
 // they have in common cancels between them, what each one's registrations may do beyond that does not.
 TEST(rig, sweeps_that_overlap_widen_no_lidar_without_pairs_across) {
+  ONLY_IN_LONG_TESTS();
   const SweptTally tally = SweptTally::of({0.4, 0.4, 0.4}, {0.0, 0.04, 0.08}, false);
   EXPECT_NEAR(tally.wider, 1.0, 1e-3);
-  tally.single.expect_within_one_percent("mountings", 40);
+  tally.single.expect_within_one_percent("mountings", drawn_drives());
   const Vector6d relative = tally.relative.sum / tally.relative.count;
-  EXPECT_LT(relative.maxCoeff(), testing::chi_square_quantile(40, testing::kOnePercentOutside) / 40)
+  EXPECT_LT(relative.maxCoeff(),
+            testing::chi_square_quantile(drawn_drives(), testing::kOnePercentOutside) / drawn_drives())
       << relative.transpose();
 }
 

@@ -11,9 +11,9 @@
 #include "model/project/project.h"
 #include "model/results/deciding_notes.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/findings.h"
 #include "tests/support/kept_scans.h"
-#include "tests/support/seeds.h"
 #include "tests/support/tunnel_drive.h"
 
 namespace remount::methods {
@@ -143,6 +143,7 @@ TEST(fusion_method, without_sensors_or_nominal_a_tunnel_is_refused_with_the_real
 
 // Where the INS sits on the vehicle is often not set: what wheels say of the LiDAR is then wrong, and must not count.
 TEST(fusion_method, a_vehicle_that_is_described_wrongly_does_not_bend_the_mounting) {
+  ONLY_IN_LONG_TESTS();
   InsideTunnel tunnel = inside_tunnel(300.0, 3);
   odometry::FusionOptions& fusion = tunnel.input.settings.fusion;
   fusion.ins_yaw_deg += 1.0;

@@ -10,8 +10,8 @@
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/noisy_odometry.h"
-#include "tests/support/seeds.h"
 
 namespace remount::methods {
 namespace {

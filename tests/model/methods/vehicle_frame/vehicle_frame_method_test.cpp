@@ -11,6 +11,7 @@
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/draws.h"
 #include "tests/support/findings.h"
 #include "tests/support/noisy_odometry.h"
 
@@ -83,6 +84,7 @@ void drop_ins(drive::Session& session) {
 }
 
 TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_are_refused) {
+  ONLY_IN_LONG_TESTS();
   for (const ScenarioKind scenario : {ScenarioKind::Hill, ScenarioKind::FigureEight, ScenarioKind::Street})
     for (const bool ins : {true, false}) {  // without an INS the IMU's forces tell it
       const Drive drive = simulated(scenario);
