@@ -1,4 +1,4 @@
-# What is installed, in components: cli, window, library and dev. packaging/deb makes a package of each.
+# What is installed, in components: cli, window, library, dev and python. packaging/deb makes a package of each.
 # What the programs write of themselves (man pages, completions) is made by the target package_files, which
 # packaging/deb builds: `cmake --install` leaves out what is not there.
 include(GNUInstallDirs)
@@ -111,6 +111,15 @@ if(TARGET remount_library)
   remount_install_documents(libremount-dev dev)
   list(APPEND components library dev)
 endif()
+if(TARGET remount_python)
+  set(folder lib/python3/dist-packages/remount)
+  install(TARGETS remount_python LIBRARY DESTINATION ${folder} COMPONENT python)
+  set(sources ${CMAKE_SOURCE_DIR}/api/python/remount)
+  install(FILES ${sources}/__init__.py ${sources}/__init__.pyi ${sources}/errors.py ${sources}/py.typed DESTINATION ${folder}
+          COMPONENT python)
+  remount_install_documents(python3-remount python)
+  list(APPEND components python)
+endif()
 add_custom_target(package_files DEPENDS ${made_files})
 
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests need not be built to be packaged
@@ -155,7 +164,9 @@ uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
 This package has the workbench with views in 3-D, which needs OpenGL 3.2.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libremount${PROJECT_VERSION_MAJOR})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+# What CPack's own would be made for every component.
+configure_file(${package_files}/library/shlibs.in ${made}/library/shlibs @ONLY)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${package_files}/library/triggers ${made}/library/shlibs)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "calibrates where a LiDAR sits on a vehicle (shared library)
 Remount finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from
 recorded drives: pairs of scans are registered, compared with the motion of
@@ -175,4 +186,17 @@ uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
 
 This package has what programs are compiled with: headers, the package of
 CMake, and examples.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-remount)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+# The module is of one version of Python.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "libremount${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-${REMOUNT_PACKAGE_REVISION}), ${REMOUNT_PYTHON_VERSIONS}, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${package_files}/python3/postinst ${package_files}/python3/prerm)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "calibrates where a LiDAR sits on a vehicle (Python)
+Remount finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from
+recorded drives: pairs of scans are registered, compared with the motion of
+the INS, and explained by one rigid transform, of which each parameter has its
+uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
+
+This package has the module remount for Python, with arrays of NumPy.")
 include(CPack)

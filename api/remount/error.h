@@ -16,7 +16,8 @@ enum class ErrorCode {
   Contract,     ///< a documented condition was broken, or a setting is out of range
 };
 
-class Error : public std::runtime_error {
+/// Seen by whoever catches it, also where a program hides what it has.
+class [[gnu::visibility("default")]] Error : public std::runtime_error {
  public:
   /// @param place file with line or byte ("scan.pcd:7"), or the name of what was given
   /// @param expectation what was found, what was expected, and what to do where that is known
