@@ -31,8 +31,9 @@ api::Recording read_my_format(const api::SimulatedDrive& drive) {
 int main() {
   const api::SimulatedDrive drive = api::simulate({{"scenario", "figure-eight"},
                                                    {"duration_s", 8.0},
+                                                   {"scan_rate_hz", 5.0},
                                                    {"beams", 16},
-                                                   {"azimuth_steps", 300},
+                                                   {"azimuth_steps", 200},
                                                    {"moving_objects", 0}});
   const api::Session session = api::make_session(read_my_format(drive));
   api::CalibrateOptions options;

@@ -180,7 +180,7 @@ void add_result_class(py::module_& module) {
                              [](const api::Result& result) { return result.time_offset().sigma_s; })
       .def_property_readonly("findings", &api::Result::findings)
       .def_property_readonly("settings", &api::Result::settings)
-      .def("save", &api::Result::save, py::arg("path"))
+      .def("save", &api::Result::save, py::arg("path"), py::call_guard<py::gil_scoped_release>())
       .def(
           "export",
           [](const api::Result& result, const std::string& format, const std::string& ins_frame,
@@ -191,7 +191,7 @@ void add_result_class(py::module_& module) {
       .def_property_readonly("export_warnings",
                              [](const api::Result& result) { return sentences(api::export_warnings(result)); })
       .def("__repr__", result_repr);
-  module.def("load_result", &api::Result::load, py::arg("path"));
+  module.def("load_result", &api::Result::load, py::arg("path"), py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace

@@ -92,7 +92,10 @@ py::object column_of(const std::vector<Value>& values) {
 }
 
 py::dict scan_columns(const api::Session& session, std::size_t scan) {
-  const api::Scan loaded = session.load_scan(scan);
+  const api::Scan loaded = [&] {
+    const py::gil_scoped_release unlocked;
+    return session.load_scan(scan);
+  }();
   py::dict columns;
   columns["points"] = points_of(loaded);
   columns["time_from_stamp_s"] = column_of(loaded.time_from_stamp_s);
@@ -255,7 +258,8 @@ void add_sessions(py::module_& module) {
       py::arg("path"), py::kw_only(), py::arg("lidar") = "", py::arg("topics") = std::map<std::string, std::string>(),
       py::arg("progress") = py::none());
   module.def(
-      "lidars_of", [](const std::filesystem::path& path) { return api::lidars_of(path); }, py::arg("path"));
+      "lidars_of", [](const std::filesystem::path& path) { return api::lidars_of(path); }, py::arg("path"),
+      py::call_guard<py::gil_scoped_release>());
   module.def("make_session", make_session, py::arg("name"), py::kw_only(), py::arg("world_from_ins"),
              py::arg("scan_stamps_ns") = std::vector<std::int64_t>(), py::arg("load_scan") = py::none(),
              py::arg("scan_times") = "at_stamp", py::arg("odometry_from_lidar") = py::none(),

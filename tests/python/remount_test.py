@@ -54,7 +54,8 @@ def result(session):
 
 @pytest.fixture(scope="module")
 def small_drive():
-    return remount.simulate(scenario="figure-eight", duration_s=6.0, beams=16, azimuth_steps=240, moving_objects=0)
+    return remount.simulate(scenario="figure-eight", duration_s=8.0, scan_rate_hz=5.0, beams=16, azimuth_steps=200,
+                            moving_objects=0)
 
 
 def test_a_session_tells_what_it_has(session):
@@ -162,6 +163,8 @@ def test_a_reader_of_ones_own_is_calibrated(small_drive):
     loaded = []
 
     def load(scan):
+        if scan == 20:
+            raise ValueError("of the loader")
         loaded.append(scan)
         return recorded.scan(scan)
 
@@ -171,6 +174,7 @@ def test_a_reader_of_ones_own_is_calibrated(small_drive):
     off_m = (result.ins_from_lidar - small_drive.ins_from_lidar)[:2, 3]
     print(len(loaded), "scans loaded, off by", off_m)
     assert result.usable and len(loaded) > 10 and np.linalg.norm(off_m) < 0.15
+    assert any("of the loader" in finding.explanation for finding in result.findings), result.findings
     with pytest.raises(remount.Error, match="ascend"):
         remount.make_session("mine", world_from_ins=(stamps_ns[::-1], poses), load_scan=load, scan_stamps_ns=[0, 1])
 
