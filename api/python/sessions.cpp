@@ -70,13 +70,38 @@ api::ScanTimes scan_times_of(const std::string& name) {
   throw api::Error(api::ErrorCode::Contract, name, "expected \"at_stamp\", \"per_point\" or \"unknown\"");
 }
 
-api::Session make_session(const std::string& name, const std::pair<Stamps, Stack>& world_from_ins,
+using InsArrays = std::tuple<Stamps, Stack, Stack>;
+
+/// Stamps, positions (latitude, longitude, height) and quaternions.
+std::vector<api::InsSample> samples_of(const InsArrays& given) {
+  const auto& [stamps_ns, positions, xyzw] = given;
+  const bool columns = stamps_ns.ndim() == 1 && positions.ndim() == 2 && xyzw.ndim() == 2 && positions.shape(1) == 3 &&
+                       xyzw.shape(1) == 4;
+  if (!columns || positions.shape(0) != stamps_ns.size() || xyzw.shape(0) != stamps_ns.size())
+    throw api::Error(api::ErrorCode::Contract, "ins",
+                     "expected stamps (n,), positions (n, 3): latitude and longitude in rad and height in m, and "
+                     "quaternions enu_from_ins (n, 4): x, y, z, w");
+  std::vector<api::InsSample> samples(static_cast<std::size_t>(stamps_ns.size()));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto row = static_cast<py::ssize_t>(i);
+    samples[i].stamp_ns = stamps_ns.at(row);
+    samples[i].latitude_rad = positions.at(row, 0);
+    samples[i].longitude_rad = positions.at(row, 1);
+    samples[i].height_m = positions.at(row, 2);
+    for (int k = 0; k < 4; ++k) samples[i].enu_from_ins_xyzw[k] = xyzw.at(row, k);
+  }
+  return samples;
+}
+
+api::Session make_session(const std::string& name, const std::optional<InsArrays>& ins,
+                          const std::optional<std::pair<Stamps, Stack>>& world_from_ins,
                           const std::vector<std::int64_t>& scan_stamps_ns, const py::object& load_scan,
                           const std::string& scan_times, const std::optional<std::pair<Stamps, Stack>>& odometry,
                           const std::optional<api::Matrix4>& nominal_ins_from_lidar, const py::object& progress) {
   api::Recording recording;
   recording.name = name;
-  recording.world_from_ins = poses_of(world_from_ins, "world_from_ins");
+  if (ins) recording.ins = samples_of(*ins);
+  if (world_from_ins) recording.world_from_ins = poses_of(*world_from_ins, "world_from_ins");
   if (!load_scan.is_none()) recording.scans = std::make_shared<PythonScans>(scan_stamps_ns, load_scan);
   recording.scan_times = scan_times_of(scan_times);
   if (odometry) recording.odometry_from_lidar = poses_of(*odometry, "odometry_from_lidar");
@@ -260,10 +285,11 @@ void add_sessions(py::module_& module) {
   module.def(
       "lidars_of", [](const std::filesystem::path& path) { return api::lidars_of(path); }, py::arg("path"),
       py::call_guard<py::gil_scoped_release>());
-  module.def("make_session", make_session, py::arg("name"), py::kw_only(), py::arg("world_from_ins"),
-             py::arg("scan_stamps_ns") = std::vector<std::int64_t>(), py::arg("load_scan") = py::none(),
-             py::arg("scan_times") = "at_stamp", py::arg("odometry_from_lidar") = py::none(),
-             py::arg("nominal_ins_from_lidar") = py::none(), py::arg("progress") = py::none());
+  module.def("make_session", make_session, py::arg("name"), py::kw_only(), py::arg("ins") = py::none(),
+             py::arg("world_from_ins") = py::none(), py::arg("scan_stamps_ns") = std::vector<std::int64_t>(),
+             py::arg("load_scan") = py::none(), py::arg("scan_times") = "at_stamp",
+             py::arg("odometry_from_lidar") = py::none(), py::arg("nominal_ins_from_lidar") = py::none(),
+             py::arg("progress") = py::none());
   module.def("register", register_arrays, py::arg("source"), py::arg("target"), py::kw_only(),
              py::arg("target_from_source_start") = py::none(), py::arg("settings") = py::none(),
              py::arg("progress") = py::none());

@@ -58,6 +58,12 @@ def small_drive():
                             moving_objects=0)
 
 
+@pytest.fixture(scope="module")
+def small_scans(small_drive):
+    """Each is cast once, however often it is loaded."""
+    return [small_drive.session.scan(scan) for scan in range(len(small_drive.session))]
+
+
 def test_a_session_tells_what_it_has(session):
     sensors = {stream.sensor: stream for stream in session.sensors}
     assert sensors["lidar"].count == len(session) > 10
@@ -157,7 +163,7 @@ def test_scans_are_registered(session):
         remount.register(points[:, :2], points)
 
 
-def test_a_reader_of_ones_own_is_calibrated(small_drive):
+def test_a_reader_of_ones_own_is_calibrated(small_drive, small_scans):
     recorded = small_drive.session
     stamps_ns, poses = recorded.local_from_ins
     loaded = []
@@ -166,7 +172,7 @@ def test_a_reader_of_ones_own_is_calibrated(small_drive):
         if scan == 20:
             raise ValueError("of the loader")
         loaded.append(scan)
-        return recorded.scan(scan)
+        return small_scans[scan]
 
     own = remount.make_session("mine", world_from_ins=(stamps_ns, poses), scan_times="per_point", load_scan=load,
                                scan_stamps_ns=[recorded.scan_stamp_ns(scan) for scan in range(len(recorded))])
@@ -177,6 +183,35 @@ def test_a_reader_of_ones_own_is_calibrated(small_drive):
     assert any("of the loader" in finding.explanation for finding in result.findings), result.findings
     with pytest.raises(remount.Error, match="ascend"):
         remount.make_session("mine", world_from_ins=(stamps_ns[::-1], poses), load_scan=load, scan_stamps_ns=[0, 1])
+
+
+def quaternion_xyzw(rotation):
+    """Of a rotation by less than half a turn about whatever axis."""
+    w = np.sqrt(max(0.0, 1 + np.trace(rotation))) / 2
+    axis = [rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0], rotation[1, 0] - rotation[0, 1]]
+    return np.append(np.asarray(axis) / (4 * w), w)
+
+
+def test_geodetic_samples_of_ones_own_are_calibrated(small_drive, small_scans):
+    recorded = small_drive.session
+    stamps_ns, enu_from_ins = recorded.local_from_ins
+    latitude, a, e2 = np.radians(48.78), 6378137.0, 6.69437999014e-3  # WGS 84
+    curved = 1 - e2 * np.sin(latitude) ** 2
+    north_m, east_m = a * (1 - e2) / curved**1.5, a / np.sqrt(curved) * np.cos(latitude)
+    east, north, up = enu_from_ins[:, :3, 3].T
+    positions = np.column_stack((latitude + north / north_m, np.radians(9.18) + east / east_m, up))
+    attitudes = np.array([quaternion_xyzw(pose[:3, :3]) for pose in enu_from_ins])
+    told = np.isfinite(attitudes).all(axis=1)
+    own = remount.make_session("mine", ins=(stamps_ns[told], positions[told], attitudes[told]), scan_times="per_point",
+                               load_scan=small_scans.__getitem__,
+                               scan_stamps_ns=[recorded.scan_stamp_ns(scan) for scan in range(len(recorded))])
+    result = remount.calibrate(own, settings=QUICK)
+    off_m = (result.ins_from_lidar - small_drive.ins_from_lidar)[:2, 3]
+    print("off by", off_m)
+    assert result.usable and np.linalg.norm(off_m) < 0.15
+    for wrong in ((stamps_ns, positions[:-1], attitudes), (stamps_ns, np.degrees(positions), attitudes)):
+        with pytest.raises(remount.Error, match="expected"):
+            remount.make_session("mine", ins=wrong, load_scan=small_scans.__getitem__, scan_stamps_ns=[0, 1])
 
 
 def test_progress_is_told_and_cancels(small_drive):

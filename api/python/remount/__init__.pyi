@@ -203,7 +203,8 @@ def lidars_of(path: _Path) -> List[str]: ...
 def make_session(
     name: str,
     *,
-    world_from_ins: _Stamped,
+    ins: Optional[Tuple[ArrayLike, ArrayLike, ArrayLike]] = None,
+    world_from_ins: Optional[_Stamped] = None,
     scan_stamps_ns: Sequence[int] = ...,
     load_scan: Optional[Callable[[int], _Scan]] = None,
     scan_times: str = "at_stamp",
@@ -211,7 +212,13 @@ def make_session(
     nominal_ins_from_lidar: Optional[ArrayLike] = None,
     progress: _Told = None,
 ) -> Session:
-    """What a reader of your own has read. scan_times is "at_stamp", "per_point" or "unknown"."""
+    """What a reader of your own has read.
+
+    The motion of the INS is either ins: stamps (n,), positions (n, 3) as latitude and longitude in rad and height above
+    the ellipsoid in m, and quaternions (n, 4) x, y, z, w of enu_from_ins, whose INS axes are forward, left, up; or poses
+    in a metric world. That of the LiDAR comes from scans or from the poses of an odometry. scan_times is "at_stamp",
+    "per_point" or "unknown".
+    """
 
 def calibrate(
     sessions: Union[Session, Sequence[Session]],
