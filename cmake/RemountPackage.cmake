@@ -1,4 +1,4 @@
-# What is installed, in two components: cli and window. packaging/deb makes a package of each.
+# What is installed, in components: cli, window, library, dev and python. packaging/deb makes a package of each.
 # What the programs write of themselves (man pages, completions) is made by the target package_files, which
 # packaging/deb builds: `cmake --install` leaves out what is not there.
 include(GNUInstallDirs)
@@ -87,6 +87,39 @@ if(REMOUNT_BUILD_GUI)
   remount_install_documents(remount window)
   list(APPEND components window)
 endif()
+if(TARGET remount_library)
+  set(libraries ${CMAKE_INSTALL_LIBDIR})
+  if(CMAKE_LIBRARY_ARCHITECTURE)  # as Debian has them, whatever the prefix
+    set(libraries lib/${CMAKE_LIBRARY_ARCHITECTURE})
+  endif()
+  install(TARGETS remount_library EXPORT remount LIBRARY DESTINATION ${libraries} COMPONENT library NAMELINK_COMPONENT dev
+          INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT remount NAMESPACE remount:: FILE remount-targets.cmake DESTINATION ${libraries}/cmake/remount COMPONENT dev)
+  include(CMakePackageConfigHelpers)
+  write_basic_package_version_file(${made}/remount-config-version.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${CMAKE_SOURCE_DIR}/cmake/remount-config.cmake ${made}/remount-config-version.cmake
+          DESTINATION ${libraries}/cmake/remount COMPONENT dev)
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/api/remount ${CMAKE_BINARY_DIR}/generated/api/remount
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev FILES_MATCHING PATTERN "*.h")
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libremount-dev COMPONENT dev)
+  # The library itself comes with its headers, but in packages, where theirs depends on that of the library.
+  install(CODE "if(NOT \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" MATCHES \"_CPack_Packages\")
+    execute_process(COMMAND \"${CMAKE_COMMAND}\" --install \"${CMAKE_BINARY_DIR}\" --component library
+                    --prefix \"\${CMAKE_INSTALL_PREFIX}\" COMMAND_ERROR_IS_FATAL ANY)
+  endif()" COMPONENT dev)
+  remount_install_documents(libremount${PROJECT_VERSION_MAJOR} library)
+  remount_install_documents(libremount-dev dev)
+  list(APPEND components library dev)
+endif()
+if(TARGET remount_python)
+  set(folder lib/python3/dist-packages/remount)
+  install(TARGETS remount_python LIBRARY DESTINATION ${folder} COMPONENT python)
+  set(sources ${CMAKE_SOURCE_DIR}/api/python/remount)
+  install(FILES ${sources}/__init__.py ${sources}/__init__.pyi ${sources}/errors.py ${sources}/py.typed DESTINATION ${folder}
+          COMPONENT python)
+  remount_install_documents(python3-remount python)
+  list(APPEND components python)
+endif()
 add_custom_target(package_files DEPENDS ${made_files})
 
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests need not be built to be packaged
@@ -108,6 +141,8 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE ${REMOUNT_PACKAGE_REVISION})
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # what is linked; named below is what is not
+# What is linked to the library of this tree is told by name, below.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME remount-cli)
 set(CPACK_COMPONENT_CLI_DESCRIPTION "calibrates where a LiDAR sits on a vehicle (command line)
 Remount finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from
@@ -127,4 +162,41 @@ the INS, and explained by one rigid transform, of which each parameter has its
 uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
 
 This package has the workbench with views in 3-D, which needs OpenGL 3.2.")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libremount${PROJECT_VERSION_MAJOR})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+# What CPack's own would be made for every component.
+configure_file(${package_files}/library/shlibs.in ${made}/library/shlibs @ONLY)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${package_files}/library/triggers ${made}/library/shlibs)
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "calibrates where a LiDAR sits on a vehicle (shared library)
+Remount finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from
+recorded drives: pairs of scans are registered, compared with the motion of
+the INS, and explained by one rigid transform, of which each parameter has its
+uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
+
+This package has the library for other programs.")
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libremount-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
+    "libremount${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-${REMOUNT_PACKAGE_REVISION}), libeigen3-dev")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "calibrates where a LiDAR sits on a vehicle (headers)
+Remount finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from
+recorded drives: pairs of scans are registered, compared with the motion of
+the INS, and explained by one rigid transform, of which each parameter has its
+uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
+
+This package has what programs are compiled with: headers, the package of
+CMake, and examples.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-remount)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+# The module is of one version of Python.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "libremount${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-${REMOUNT_PACKAGE_REVISION}), ${REMOUNT_PYTHON_VERSIONS}, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${package_files}/python3/postinst ${package_files}/python3/prerm)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "calibrates where a LiDAR sits on a vehicle (Python)
+Remount finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from
+recorded drives: pairs of scans are registered, compared with the motion of
+the INS, and explained by one rigid transform, of which each parameter has its
+uncertainty. It reads logs of INS, captures of LiDARs and bags of ROS.
+
+This package has the module remount for Python, with arrays of NumPy.")
 include(CPack)

@@ -24,6 +24,7 @@
 #include "model/project/project.h"
 #include "model/project/vehicle_result.h"
 #include "model/results/lidar_names.h"
+#include "model/results/mounting_frames.h"
 
 namespace remount::cli {
 namespace {
@@ -64,7 +65,7 @@ pipeline::PipelineInput input_of(const fleet::FleetVehicle& vehicle, const fleet
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, vehicle.nominal, input.sessions, console);
     input.nominal_frames = nominal->frames;
   } else if (vehicle.nominal.empty()) {
-    input.nominal_ins_from_lidar = declared_nominal(input.sessions, *input.settings.run.method);
+    input.nominal_ins_from_lidar = results::declared_nominal(input.sessions, *input.settings.run.method);
   }
   return input;
 }

@@ -28,6 +28,7 @@
 #include "model/methods/trajectory/trajectory_method.h"
 #include "model/project/holder_lock.h"
 #include "model/project/project.h"
+#include "model/results/mounting_frames.h"
 #include "model/rig/rig_calibration.h"
 
 namespace remount::cli {
@@ -228,7 +229,7 @@ int calibrate_one(const CalibrateArguments& arguments, const OneLidar& lidar, Co
   } else if (arguments.solve.nominals.empty()) {
     input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
     if (!input.nominal_ins_from_lidar)
-      input.nominal_ins_from_lidar = declared_nominal(input.sessions, *input.settings.run.method);
+      input.nominal_ins_from_lidar = results::declared_nominal(input.sessions, *input.settings.run.method);
   }
 
   input.verdicts = project.verdicts;

@@ -11,6 +11,7 @@
 #include "messages/command_line.h"
 #include "messages/rig.h"
 #include "model/project/vehicle_result.h"
+#include "model/results/mounting_frames.h"
 #include "model/rig/rig_findings.h"
 
 namespace remount::cli {
@@ -36,7 +37,7 @@ rig::LidarJob open_lidar(const ChosenLidar& lidar, const VehicleJob& vehicle, Co
         nominal_in_axes(nominal->second.mounting, nominal->second.text, job.input.sessions, console);
     job.input.nominal_frames = nominal->second.mounting.frames;
   } else if (!vehicle.nominals.ignore_declared) {
-    job.input.nominal_ins_from_lidar = declared_nominal(job.input.sessions, *job.input.settings.run.method);
+    job.input.nominal_ins_from_lidar = results::declared_nominal(job.input.sessions, *job.input.settings.run.method);
   }
   job.input.tell_so_far = [&console, name = lidar.name](const Message& x) {
     console.print(say::rig_lidar_so_far(name, x));

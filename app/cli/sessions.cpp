@@ -1,11 +1,8 @@
 #include "app/cli/sessions.h"
 
-#include "algorithms/core/error.h"
-#include "messages/command_line.h"
 #include "messages/general.h"
 #include "model/drive/session_frames.h"
 #include "model/formats/session_readers.h"
-#include "model/results/mounting_frames.h"
 
 namespace remount::cli {
 
@@ -18,19 +15,6 @@ Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const st
         std::make_shared<const drive::Session>(formats::open_session(paths[i], chosen, console.progress())));
   }
   return sessions;
-}
-
-std::optional<RigidTransform> declared_nominal(const Sessions& sessions,
-                                               const method_registry::CalibrationMethod& method) {
-  std::optional<RigidTransform> declared;
-  if (!results::starts_from_ins(method)) return declared;
-  for (const auto& session : sessions) {
-    if (!session->nominal_ins_from_lidar) continue;
-    if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))
-      throw Error(ErrorCode::Contract, session->name, say::cli_other_nominal());
-    declared = session->nominal_ins_from_lidar;
-  }
-  return declared;
 }
 
 RigidTransform nominal_in_axes(const results::ReadMounting& mounting, const std::string& text, const Sessions& sessions,

@@ -3,14 +3,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cli/console.h"
 #include "model/drive/session.h"
 #include "model/drive/topic_choice.h"
-#include "model/method_registry/calibration_method.h"
 #include "model/results/exporters/exporter.h"
 
 namespace remount::cli {
@@ -21,11 +19,6 @@ using Sessions = std::vector<std::shared_ptr<const drive::Session>>;
 /// @param topics of bags, for as many of the sessions as chose some
 Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const std::vector<drive::TopicChoice>& topics,
                        Console& console);
-
-/// What the sessions declare themselves, where they do and the method starts from the LiDAR in the INS frame. Throws
-/// Error(Contract) where they contradict each other: that is for the user to decide.
-std::optional<RigidTransform> declared_nominal(const Sessions& sessions,
-                                               const method_registry::CalibrationMethod& method);
 
 /// A mounting that was given as `text`, in the axes of the sessions. Warns of what its file leaves open.
 RigidTransform nominal_in_axes(const results::ReadMounting& mounting, const std::string& text, const Sessions& sessions,

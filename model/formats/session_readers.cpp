@@ -170,7 +170,9 @@ void settle(drive::Session& session) {
   conventions::settle_plane(session);
 }
 
-drive::Session looked_at(drive::Session session, checks::LookAt look_at, const Progress& progress) {
+}  // namespace
+
+drive::Session settled_session(drive::Session session, const Progress& progress, checks::LookAt look_at) {
   settle(session);
   tell_unused_recordings(session);
   for (drive::Finding& finding : checks::data_findings(session, look_at, progress))
@@ -178,22 +180,20 @@ drive::Session looked_at(drive::Session session, checks::LookAt look_at, const P
   return session;
 }
 
-}  // namespace
-
 drive::Session open_session(const std::filesystem::path& path, Progress& progress, checks::LookAt look_at) {
   return open_session(path, {}, progress, look_at);
 }
 
 drive::Session open_session(const std::filesystem::path& path, const drive::TopicChoice& topics, Progress& progress,
                             checks::LookAt look_at) {
-  return looked_at(reader_of(path, progress).open_topics(path, topics, progress), look_at, progress);
+  return settled_session(reader_of(path, progress).open_topics(path, topics, progress), progress, look_at);
 }
 
 std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) {
   std::optional<drive::TopicOffer> offer = reader_of(path, progress).offer_topics(path, progress);
   if (offer)
     offer->open = [open = offer->open](const drive::TopicChoice& topics, Progress& reading) {
-      return looked_at(open(topics, reading), checks::LookAt::StreamsAndScans, reading);
+      return settled_session(open(topics, reading), reading);
     };
   return offer;
 }

@@ -29,6 +29,11 @@ drive::Session open_session(const std::filesystem::path& path, Progress& progres
 drive::Session open_session(const std::filesystem::path& path, const drive::TopicChoice& topics, Progress& progress,
                             checks::LookAt look_at = checks::LookAt::StreamsAndScans);
 
+/// What open_session does with a session that some other reader made: what no reader can judge line by line is settled
+/// (ADR 17), and it is looked at.
+drive::Session settled_session(drive::Session session, const Progress& progress,
+                               checks::LookAt look_at = checks::LookAt::StreamsAndScans);
+
 /// What there is to choose from before a session is opened; nothing where its format has no topics. Throws Error as
 /// open_session does.
 std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress);

@@ -1,5 +1,6 @@
 #include "model/results/mounting_frames.h"
 
+#include "algorithms/core/error.h"
 #include "messages/drives.h"
 
 namespace remount::results {
@@ -34,6 +35,19 @@ Message unused_declaration(const method_registry::CalibrationMethod& method,
 
 bool starts_from_ins(const method_registry::CalibrationMethod& method) {
   return start_of_method(method, {}).reference == calibration::BodyFrame::Ins;
+}
+
+std::optional<RigidTransform> declared_nominal(const method_registry::GivenSessions& sessions,
+                                               const method_registry::CalibrationMethod& method) {
+  std::optional<RigidTransform> declared;
+  if (!starts_from_ins(method)) return declared;
+  for (const auto& session : sessions) {
+    if (!session->nominal_ins_from_lidar) continue;
+    if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))
+      throw Error(ErrorCode::Contract, session->name, say::nominal_of_sessions_differs());
+    declared = session->nominal_ins_from_lidar;
+  }
+  return declared;
 }
 
 Message not_in_ins_frame(const calibration::MountingFrames& frames) {

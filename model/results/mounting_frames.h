@@ -1,6 +1,7 @@
 // Between which frames the mounting of a method is.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "algorithms/calibration/mounting.h"
@@ -23,6 +24,11 @@ Message frame_problem(const calibration::MountingFrames& nominal, const method_r
 
 /// Whether a method starts from what places the LiDAR in the INS frame, as sessions do that declare their mounting.
 bool starts_from_ins(const method_registry::CalibrationMethod& method);
+
+/// What the sessions declare themselves, where they do and the method starts from the LiDAR in the INS frame. Throws
+/// Error(Contract) where they contradict each other: that is for the user to decide.
+std::optional<RigidTransform> declared_nominal(const method_registry::GivenSessions& sessions,
+                                               const method_registry::CalibrationMethod& method);
 
 /// Why a mounting in these frames cannot stand where one of the LiDAR in the INS frame is asked for, as the end of a
 /// sentence about it; empty where it can.

@@ -1,15 +1,13 @@
 #include "model/settings/settings_file.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <type_traits>
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "messages/general.h"
 #include "messages/projects.h"
 #include "model/formats/documents/parse_document.h"
+#include "model/settings/option_reader.h"
 
 namespace remount::settings {
 
@@ -58,101 +56,6 @@ struct OptionWriter {
   }
 };
 
-/// Throws Error(Format) that says what would have been a number here.
-double signed_of(const formats::DocumentView& view, const OptionInfo& info) {
-  try {
-    return view.number();
-  } catch (const Error&) {
-    const std::string unit = (info.unit.empty() ? "" : " ") + std::string(info.unit);
-    view.fail(say::expected_number_from_to(info.minimum, info.maximum, unit, view.described()));
-  }
-}
-
-/// Half a turn is typed as 3.1416 or 3.15 rad, which is beyond it by less than half a degree: the bound is meant.
-double snapped_to_bounds(const OptionInfo& info, double value) {
-  constexpr double kSlack_rad = 0.5 / 57.295779513082323;
-  if (info.unit != "rad") return value;
-  if (value > info.maximum && value <= info.maximum + kSlack_rad) return info.maximum;
-  if (value < info.minimum && value >= info.minimum - kSlack_rad) return info.minimum;
-  return value;
-}
-
-std::size_t place_of(std::string_view name, const std::vector<std::string_view>& names) {
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-/// Choices that have yes and no among them were switches in former versions, whose files have true and false.
-std::optional<bool> switch_of_before(const formats::DocumentView& view, const std::vector<std::string_view>& names) {
-  if (place_of("yes", names) == names.size() || place_of("no", names) == names.size()) return std::nullopt;
-  const std::string text = view.string();
-  if (text != "true" && text != "false") return std::nullopt;
-  return text == "true";
-}
-
-Message with_place(const Error& error) {
-  return error.where().empty() ? error.what_happened() : say::of_file(error.where(), error.what_happened());
-}
-
-/// Reads those members of an option struct that a map mentions.
-struct OptionReader {
-  formats::DocumentView section;
-  std::vector<Message>& problems;
-  std::vector<std::string_view> known{};
-
-  template <class T>
-  void operator()(const OptionInfo& info, T& value) {
-    read(info, [&](const formats::DocumentView& view) {
-      if constexpr (std::is_same_v<T, bool>) {
-        value = view.boolean();
-      } else if constexpr (std::is_integral_v<T>) {
-        value = static_cast<T>(
-            view.integer(static_cast<std::int64_t>(info.minimum), static_cast<std::int64_t>(info.maximum)));
-      } else if constexpr (std::is_floating_point_v<T>) {
-        const double number = snapped_to_bounds(info, signed_of(view, info));
-        if (number < info.minimum || number > info.maximum) view.fail(outside_bounds(info, number));
-        value = number;
-      } else {
-        value = view.string();
-      }
-    });
-  }
-
-  template <class T>
-  void choice(const OptionInfo& info, T& value, const std::vector<std::string_view>& names) {
-    read(info, [&](const formats::DocumentView& view) {
-      const std::optional<bool> was_switch = switch_of_before(view, names);
-      value = static_cast<T>(was_switch ? place_of(*was_switch ? "yes" : "no", names) : view.choice(names));
-    });
-  }
-
-  template <class Assign>
-  void read(const OptionInfo& info, Assign&& assign) {
-    known.push_back(info.name);
-    if (!section.has(info.name)) return;
-    try {
-      assign(section.at(info.name));
-    } catch (const Error& error) {
-      problems.push_back(with_place(error));
-    }
-  }
-
-  void report_unknown_keys() {
-    // Settings of former versions that changed nothing but the sample of a bootstrap: files that hold them stay
-    // readable.
-    constexpr std::array<std::string_view, 2> kRetired{"bootstrap_samples", "seed"};
-    const std::vector<std::string> names(known.begin(), known.end());
-    for (const auto& [key, view] : section.entries()) {
-      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-      if (std::find(kRetired.begin(), kRetired.end(), key) != kRetired.end()) continue;
-      try {
-        view.fail(say::settings_unknown_key(names));
-      } catch (const Error& error) {
-        problems.push_back(with_place(error));
-      }
-    }
-  }
-};
-
 /// Each value for itself; whether they go together is asked once all of them are known.
 Settings read_values(const formats::DocumentView& document, const Settings& base) {
   Settings settings = base;
@@ -166,11 +69,11 @@ Settings read_values(const formats::DocumentView& document, const Settings& base
           std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == name; });
       if (found == entries.end() || found->second.is_null()) return;
       try {
-        OptionReader reader{found->second, problems};
+        OptionReader reader(found->second, problems);
         std::decay_t<decltype(options)>::visit(options, reader);
         reader.report_unknown_keys();
       } catch (const Error& error) {
-        problems.push_back(with_place(error));
+        problems.push_back(error.message());
       }
     });
     for (const auto& [key, view] : entries) {
@@ -178,7 +81,7 @@ Settings read_values(const formats::DocumentView& document, const Settings& base
       try {
         view.fail(say::settings_unknown_section(sections));
       } catch (const Error& error) {
-        problems.push_back(with_place(error));
+        problems.push_back(error.message());
       }
     }
   }
@@ -223,24 +126,11 @@ std::string settings_text(const Settings& settings, bool comments, Language lang
   return formats::to_yaml(document);
 }
 
-namespace {
-
-/// What was typed behind the equals sign, read as files are, so that both accept the same. No setting is a list or a
-/// map: what is no YAML, or nothing, is a text that the setting refuses, saying what it takes.
-DocumentNode typed_value(std::string_view text, const std::string& where) {
-  DocumentNode value = DocumentNode::string(std::string(text));
-  try {
-    if (!text.empty()) value = formats::parse_yaml(text, where);
-  } catch (const Error&) {
-  }
-  value.line = 0;
-  return value;
+void apply_setting(Settings& settings, std::string_view assignment) {
+  apply_setting(settings, assignment, "--set " + std::string(assignment));
 }
 
-}  // namespace
-
-void apply_setting(Settings& settings, std::string_view assignment) {
-  const std::string where = "--set " + std::string(assignment);
+void apply_setting(Settings& settings, std::string_view assignment, const std::string& where) {
   const std::size_t equals = assignment.find('=');
   const std::size_t dot = assignment.substr(0, equals).find('.');
   if (equals == std::string_view::npos || dot == std::string_view::npos)

@@ -36,5 +36,7 @@ std::string settings_text(const Settings& settings, bool comments = true, Langua
 /// Sets one value from "section.key=value". Throws Error(Contract) where that names nothing or does not fit;
 /// contradictions are left to require_valid(). A path is relative to the current folder, and becomes absolute.
 void apply_setting(Settings& settings, std::string_view assignment);
+/// The same; errors are at `where`.
+void apply_setting(Settings& settings, std::string_view assignment, const std::string& where);
 
 }  // namespace remount::settings

@@ -15,7 +15,7 @@ import sys
 from sources import ROOT, errors_with_advice, finding_codes, read, read_messages
 
 LANGUAGES = ["en", "zh_CN"]
-DOCUMENTS = ["*.md", "LICENSE", "CITATION.cff", "docs/**/*.md", "docs/**/*.svg", "docs/**/*.png",
+DOCUMENTS = ["*.md", "LICENSE", "CITATION.cff", "docs/**/*.md", "docs/**/*.svg", "docs/**/*.png", "examples/*.cpp",
              "resources/formats/*.md", "resources/messages/README.md", "resources/screenshots/*.png"]
 ASSETS = ["packaging/site/site.css", "packaging/site/equations.js"]
 KATEX = "/usr/share/javascript/katex"

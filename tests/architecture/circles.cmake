@@ -2,7 +2,7 @@
 # folders that include none of the others. Arguments: SOURCE; FOLDERS, comma-separated, below it.
 cmake_policy(VERSION 3.25)
 if(NOT FOLDERS)
-  set(FOLDERS algorithms,model,widgets,app)
+  set(FOLDERS algorithms,model,api,widgets,app)
 endif()
 string(REPLACE "," ";" tops "${FOLDERS}")
 list(JOIN tops "|" any_top)

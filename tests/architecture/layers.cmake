@@ -1,4 +1,4 @@
-# Includes obey the layers: algorithms -> model -> scene -> widgets -> app. Arguments: SOURCE.
+# Includes obey the layers: algorithms -> model -> scene -> widgets -> app, and model -> api. Arguments: SOURCE.
 set(failures "")
 set(checked 0)
 
@@ -14,7 +14,7 @@ function(check_layer folder allowed forbidden)
     foreach(line ${includes})
       if(forbidden AND line MATCHES "${forbidden}")
         list(APPEND failures "${file}: ${line}")
-      elseif(line MATCHES "\"(algorithms|model|widgets|app|tests)/" AND NOT line MATCHES "\"(${allowed})/")
+      elseif(line MATCHES "\"(algorithms|model|api|widgets|app|tests)/" AND NOT line MATCHES "\"(${allowed})/")
         list(APPEND failures "${file}: ${line}")
       endif()
     endforeach()
@@ -27,6 +27,9 @@ set(qt "[<\"]Q[A-Za-z]|[<\"]q[a-z]+\\.h|Qt[A-Z][A-Za-z]*/")
 set(vtk "[<\"](vtk[A-Z]|QVTK)")
 check_layer(algorithms "algorithms" "${qt}|${vtk}|yaml-cpp|nlohmann|[<\"]fstream[>\"]")
 check_layer(model "algorithms|model" "${qt}|${vtk}")
+check_layer(api "algorithms|model|api" "${qt}|${vtk}")
+# What is installed of it needs Eigen alone.
+check_layer(api/remount "remount" "${qt}|${vtk}|pcl|yaml|nlohmann|pybind|\"messages/")
 check_layer(widgets/scene "algorithms|model|widgets/scene" "${qt}")
 check_layer(widgets "algorithms|model|widgets" "")
 check_layer(app/cli "algorithms|model|app/cli" "${qt}|${vtk}")

@@ -2,7 +2,7 @@
 # programs load, and in the sources, where a program that is not built here would get it from. Arguments: SOURCE;
 # FOLDERS, by default those of the product and of its build; PROGRAMS, separated by commas.
 if(NOT FOLDERS)
-  set(FOLDERS . algorithms model widgets app tests cmake packaging)
+  set(FOLDERS . algorithms model api widgets app tests cmake packaging)
 endif()
 set(suitesparse "cholmod|spqr|cxsparse|suitesparse|suitesparseconfig|c?amd|c?colamd|umfpack|klu|btf|ldl|rbio")
 set(failures "")

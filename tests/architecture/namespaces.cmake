@@ -5,7 +5,7 @@
 # (`describe`), which is looked for beside the record.
 cmake_policy(VERSION 3.25)
 if(NOT FOLDERS)
-  set(FOLDERS algorithms,model,widgets,app,tests)
+  set(FOLDERS algorithms,model,api,widgets,app,tests)
 endif()
 string(REPLACE "," ";" tops "${FOLDERS}")
 # Folders and their namespaces; the first that fits.
@@ -20,13 +20,15 @@ set(rules
     "^tests/examples/data_check_=remount::checks"
     "^tests/examples/session_format_=remount::formats"
     "^tests/examples/contributing_=remount"
+    "^api/python/=remount::python"
+    "^api/=remount::api"
     "^widgets/scene/=remount::scene"
     "^(tests/)?widgets/=remount::widgets"
     "^(tests/)?app/(cli|gui)/=remount::\\2"
     "^(tests/)?(algorithms|model)/([a-z_]+)/=remount::\\3")
 
 # Main functions and the like, which nobody includes.
-set(without_namespace app/cli/main.cpp app/gui/main.cpp tests/widgets/main.cpp tests/fuzz/write_seeds.cpp
+set(without_namespace api/remount/remount.h app/cli/main.cpp app/gui/main.cpp tests/widgets/main.cpp tests/fuzz/write_seeds.cpp
     tests/examples/contributing_test.cpp)
 
 set(failures "")

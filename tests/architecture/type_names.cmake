@@ -4,7 +4,7 @@
 #
 # By the tree's format: what a namespace holds begins its line, what a type or a function holds does not.
 if(NOT FOLDERS)
-  set(FOLDERS algorithms model widgets app)
+  set(FOLDERS algorithms model api widgets app)
 endif()
 set(failures "")
 set(types 0)

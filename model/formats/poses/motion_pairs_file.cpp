@@ -94,13 +94,7 @@ class PairsReader {
     for (std::size_t i = 0; i < 12; ++i)
       matrix(static_cast<int>(i / 4), static_cast<int>(i % 4)) = require_number(
           fields[columns[i]], std::string(1, letter) + std::to_string(i / 4) + std::to_string(i % 4), path_, line);
-    const Eigen::Matrix3d printed = matrix.leftCols<3>();
-    const double off = (printed * printed.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    if (!(off <= kRotationTolerance) || printed.determinant() < 0.0)
-      throw Error(ErrorCode::Format, at_line(path_, line), say::motions_no_rotation(std::string(1, letter)));
-    if (!conventions::is_possible_position(matrix.col(3)))
-      throw Error(ErrorCode::Format, at_line(path_, line), say::motions_too_far(std::string(1, letter)));
-    return make_rigid(nearest_rotation(printed), matrix.col(3));
+    return motion_of_matrix(matrix, std::string(1, letter), at_line(path_, line));
   }
 
   const std::filesystem::path& path_;
@@ -113,6 +107,17 @@ class PairsReader {
 };
 
 }  // namespace
+
+RigidTransform motion_of_matrix(const Eigen::Matrix<double, 3, 4>& matrix, const std::string& name,
+                                const std::string& where) {
+  const Eigen::Matrix3d printed = matrix.leftCols<3>();
+  const double off = (printed * printed.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(off <= kRotationTolerance) || printed.determinant() < 0.0)
+    throw Error(ErrorCode::Format, where, say::motions_no_rotation(name));
+  if (!conventions::is_possible_position(matrix.col(3)))
+    throw Error(ErrorCode::Format, where, say::motions_too_far(name));
+  return make_rigid(nearest_rotation(printed), matrix.col(3));
+}
 
 MotionPairs read_motion_pairs(const std::filesystem::path& path) {
   const std::string text = read_text_file(path, std::uint64_t{1} << 30U);

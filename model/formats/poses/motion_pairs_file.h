@@ -16,6 +16,11 @@ struct MotionPairs {
   std::vector<motion::Pair> pairs;  ///< Proposed, with P and Q; registration counts as done, without information
 };
 
+/// The motion of a matrix [R t] as other programs print or hand it over, m; R is made orthonormal. Throws Error(Format)
+/// at `where` that names it, "P", where it is no rigid transform (beyond 1e-3) or no possible motion.
+RigidTransform motion_of_matrix(const Eigen::Matrix<double, 3, 4>& matrix, const std::string& name,
+                                const std::string& where);
+
 /// Columns by name: P00..P23 and Q00..Q23 (rows of 3x4 matrices) with P = ins_i_from_ins_j, Q = lidar_i_from_lidar_j,
 /// and, where present, `set` (or `seq`), i and j. Lines that begin with '#' are comments. Rotations printed with few
 /// digits are made orthonormal. Throws Error(Format) with file and line for a column that is missing, a number that is

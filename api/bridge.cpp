@@ -1,0 +1,97 @@
+#include "api/bridge.h"
+
+#include <Eigen/Geometry>
+
+#include "algorithms/messages/catalogue.h"
+#include "algorithms/messages/render.h"
+#include "messages/programs.h"
+#include "model/formats/poses/motion_pairs_file.h"
+#include "remount/version.h"
+
+namespace remount::api {
+namespace {
+
+constexpr remount::Language inner_language(Language language) {
+  return language == Language::Chinese ? remount::Language::Chinese : remount::Language::English;
+}
+
+constexpr ErrorCode outer_code(remount::ErrorCode code) {
+  switch (code) {
+    case remount::ErrorCode::Io:
+      return ErrorCode::Io;
+    case remount::ErrorCode::Format:
+      return ErrorCode::Format;
+    case remount::ErrorCode::Unsupported:
+      return ErrorCode::Unsupported;
+    case remount::ErrorCode::Contract:
+      break;
+  }
+  return ErrorCode::Contract;
+}
+
+}  // namespace
+
+std::string_view version() { return REMOUNT_VERSION; }
+
+Text::Text(std::string words)
+    : message_(words.empty() ? nullptr : std::make_shared<const Message>(Message::verbatim(std::move(words)))) {}
+Text::Text(const char* words) : Text(std::string(words)) {}
+Text::Text(const Message& message) : message_(message.empty() ? nullptr : std::make_shared<const Message>(message)) {}
+
+bool Text::empty() const { return !message_; }
+std::string Text::in(Language language) const {
+  return message_ ? render(*message_, inner_language(language)) : std::string();
+}
+std::string Text::code() const { return !message_ || message_->code() == kVerbatim ? std::string() : message_->code(); }
+const Message& Text::message() const {
+  static const Message kNothing;
+  return message_ ? *message_ : kNothing;
+}
+
+Error::Error(ErrorCode code, std::string place, Text expectation)
+    : std::runtime_error((place.empty() ? place : place + ": ") + expectation.english()),
+      code_(code),
+      place_(std::move(place)),
+      expectation_(std::move(expectation)) {}
+
+Error told(const remount::Error& error) {
+  return {outer_code(error.code()), error.where(), Text(error.what_happened())};
+}
+
+Progress::Progress() : state_(std::make_shared<State>()) {}
+Progress::Progress(Callback callback) : Progress() { state_->callback = std::move(callback); }
+void Progress::cancel() const { state_->stop.request_stop(); }
+bool Progress::cancelled() const { return state_->stop.stop_requested(); }
+
+void Progress::State::tell(const ProgressUpdate& update) {
+  const std::scoped_lock lock(mutex);
+  if (failure) return;
+  try {
+    callback({update.stage == nullptr ? Text() : Text(update.stage()), update.done, update.total});
+  } catch (...) {
+    failure = std::current_exception();
+    stop.request_stop();
+  }
+}
+
+RigidTransform rigid_of_matrix(const Matrix4& a_from_b, const std::string& where) {
+  if (a_from_b.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0))
+    throw remount::Error(remount::ErrorCode::Format, where, say::api_last_row());
+  return formats::motion_of_matrix(a_from_b.topRows<3>(), "[R t]", where);
+}
+
+std::vector<Text> texts_of(const std::vector<Message>& messages) {
+  std::vector<Text> texts;
+  for (const Message& message : messages) texts.emplace_back(message);
+  return texts;
+}
+
+std::vector<Finding> findings_of(const std::vector<drive::Finding>& findings) {
+  std::vector<Finding> out;
+  for (const drive::Finding& finding : findings)
+    out.push_back({static_cast<Severity>(finding.severity), finding.code, Text(finding.where.words()),
+                   Text(finding.explanation)});
+  return out;
+}
+
+}  // namespace remount::api

@@ -1,0 +1,38 @@
+// Progress reports and cancellation of every long call.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include "remount/text.h"
+
+namespace remount::api {
+
+struct Step {
+  Text stage;             ///< what is being done: "Registering pairs"
+  std::size_t done = 0;   ///< of `total`
+  std::size_t total = 0;  ///< 0 where the amount is not known
+};
+
+/// Copies are of the same call. The callback is called from any thread, never from two at once; what it throws cancels
+/// the call, which throws it then.
+class Progress {
+ public:
+  using Callback = std::function<void(const Step&)>;
+
+  Progress();
+  explicit Progress(Callback callback);
+
+  /// From any thread, the callback's as well. The call returns soon; its result has the status Cancelled.
+  void cancel() const;
+  bool cancelled() const;
+
+  struct State;
+  State& state() const { return *state_; }  ///< for Remount itself
+
+ private:
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace remount::api
