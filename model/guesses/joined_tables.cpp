@@ -6,6 +6,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
+#include "algorithms/geometry/degree.h"
+#include "algorithms/geometry/rotation.h"
 #include "messages/guesses.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/text_file.h"
@@ -62,7 +64,7 @@ class JoinedTable {
  public:
   JoinedTable(const SampledTable& positions, const TimeReading& position_time, const SampledTable& attitudes,
               const TimeReading& attitude_time)
-      : positions_(positions) {
+      : positions_(&positions) {
     const NearestRows places(position_time), turns(attitude_time);
     const bool by_places = places.period_s() >= turns.period_s();
     time_ = by_places ? position_time : attitude_time;
@@ -86,7 +88,7 @@ class JoinedTable {
   void add(const SampledTable& table, bool (*is_taken)(Quantity), const NearestRows* nearest) {
     const ColumnNames names = names_of(table);
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      const bool letters = &table == &positions_ && !table.columns[i].numeric;
+      const bool letters = &table == positions_ && !table.columns[i].numeric;
       if (!letters && !(names[i] && is_taken(names[i]->quantity))) continue;
       SampledColumn column = table.columns[i];
       column.index = joined_.columns.size();
@@ -105,7 +107,7 @@ class JoinedTable {
     return beside;
   }
 
-  const SampledTable& positions_;
+  const SampledTable* positions_;
   SampledTable joined_;
   TimeReading time_;
   std::vector<std::pair<const SampledTable*, std::size_t>> origins_;
@@ -165,6 +167,67 @@ bool read_both_as_declared(InsGuess& ins, std::vector<Guess>& rows, const FoundT
   return true;
 }
 
+// ---- Tables of two clocks
+
+TimeReading later_by(TimeReading time, double added_s) {
+  for (double& time_s : time.times_s) time_s += added_s;
+  time.first_s += added_s, time.last_s += added_s;
+  time.columns.offset_ns += static_cast<std::int64_t>(std::llround(1e9 * added_s));
+  return time;
+}
+
+/// What must be added to the times of attitudes that do not follow the travel as they stand.
+class ClockSearch {
+ public:
+  ClockSearch(const FoundTable& positions, const TimeReading& of_places, const FoundTable& attitudes,
+              const TimeReading& of_turns, const Progress& progress)
+      : positions_(positions), of_places_(of_places), attitudes_(attitudes), of_turns_(of_turns), progress_(progress) {}
+
+  /// Nothing where they follow it, and where no time makes them. Looks as far as clocks of receivers differ. Where a
+  /// drive repeats itself several times do: of these that with most of both tables beside each other.
+  std::optional<double> added_s(const ChosenMotion& as_it_stands) const {
+    constexpr double kFollows_rad = 2.0 * kDegree_rad, kAlike_rad = 0.5 * kDegree_rad, kFarBetter = 3.0,
+                     kFarthest_s = 40.0, kStep_s = 0.5, kFinest_s = 0.02;
+    if (!as_it_stands.exchanged && as_it_stands.fit.residual_rad < kFollows_rad) return std::nullopt;
+    std::vector<Shift> shifts;
+    for (double added_s = -kFarthest_s; added_s <= kFarthest_s; added_s += kStep_s) shifts.push_back(shift_by(added_s));
+    const double closest_rad = std::ranges::min_element(shifts, {}, &Shift::score_rad)->score_rad + kAlike_rad;
+    std::erase_if(shifts, [&](const Shift& one) { return one.score_rad > closest_rad; });
+    Shift best = *std::ranges::max_element(shifts, {}, &Shift::steps);
+    for (double step_s = kStep_s / 5.0; step_s >= kFinest_s; step_s /= 5.0) {
+      const double middle_s = best.added_s;
+      for (double added_s = middle_s - 5.0 * step_s; added_s <= middle_s + 5.0 * step_s; added_s += step_s)
+        if (const Shift one = shift_by(added_s); one.score_rad < best.score_rad) best = one;
+    }
+    const bool far_better = kFarBetter * best.score_rad < score_of(as_it_stands);
+    return best.score_rad < kFollows_rad && far_better ? std::optional(best.added_s) : std::nullopt;
+  }
+
+ private:
+  struct Shift {
+    double added_s = 0.0, score_rad = kPi;
+    std::size_t steps = 0;  ///< of the travel
+  };
+
+  static double score_of(const ChosenMotion& motion) {
+    constexpr double kNone_rad = kPi, kOfOffset = 0.1;
+    const bool told = !motion.exchanged && motion.fit.steps >= kFewestTravelSteps;
+    return told ? motion.fit.residual_rad + kOfOffset * std::abs(motion.fit.offset_rad) : kNone_rad;
+  }
+  Shift shift_by(double added_s) const {
+    std::vector<Message> missing;
+    const JoinedTable joined(positions_.table, of_places_, attitudes_.table, later_by(of_turns_, added_s));
+    const auto motion = choose_motion(joined.table(), names_of(joined.table()), joined.time(), progress_, missing);
+    return motion ? Shift{added_s, score_of(*motion), motion->fit.steps} : Shift{added_s};
+  }
+
+  const FoundTable& positions_;
+  const TimeReading& of_places_;
+  const FoundTable& attitudes_;
+  const TimeReading& of_turns_;
+  const Progress& progress_;
+};
+
 }  // namespace
 
 std::optional<InsGuess> guess_ins_of_two(const FoundTable& positions, const FoundTable& attitudes,
@@ -176,15 +239,24 @@ std::optional<InsGuess> guess_ins_of_two(const FoundTable& positions, const Foun
     missing.push_back(say::guess_no_time());
     return std::nullopt;
   }
-  const TimeReading &of_places = place_time->reading, &of_turns = turn_time->reading;
+  const TimeReading& of_places = place_time->reading;
+  TimeReading& of_turns = turn_time->reading;
   if (of_places.week_open() != of_turns.week_open() || of_places.last_s < of_turns.first_s ||
       of_turns.last_s < of_places.first_s) {
     missing.push_back(say::guess_tables_apart(positions.file.filename().string(), attitudes.file.filename().string()));
     return std::nullopt;
   }
-  const JoinedTable joined(positions.table, of_places, attitudes.table, of_turns);
+  JoinedTable joined(positions.table, of_places, attitudes.table, of_turns);
   auto motion = choose_motion(joined.table(), names_of(joined.table()), joined.time(), progress, missing);
   if (!motion) return std::nullopt;
+  if (const auto added_s = ClockSearch(positions, of_places, attitudes, of_turns, progress).added_s(*motion)) {
+    of_turns = later_by(of_turns, *added_s);
+    turn_time->guess.evidence.push_back(say::guess_two_clocks(Duration{*added_s}));
+    turn_time->guess.sureness = Sureness::Open;
+    joined = JoinedTable(positions.table, of_places, attitudes.table, of_turns);
+    motion = choose_motion(joined.table(), names_of(joined.table()), joined.time(), progress, missing);
+    if (!motion) return std::nullopt;
+  }
   InsGuess ins{.file = positions.file};
   ins.attitude.emplace();
   ins.attitude->file = attitudes.file;

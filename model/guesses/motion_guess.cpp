@@ -353,6 +353,7 @@ std::optional<ChosenMotion> choose_motion(const SampledTable& table, const Colum
   const Hypothesis& taken = mirrored ? lost->hypothesis() : best;
   ChosenMotion chosen;
   chosen.fit = taken.fit;
+  chosen.exchanged = taken.position->exchanged;
   put_position(table, *taken.position, chosen.layout);
   put_attitude(table, taken.attitude, chosen.layout);
   chosen.position = position_guess(table, meant, taken);

@@ -19,6 +19,7 @@ struct ChosenMotion {
   Guess position, attitude;
   std::vector<Guess> others;  ///< errors, quality
   TravelFit fit;
+  bool exchanged = false;  ///< latitude and longitude, or x to the east and to the north, against what is usual
 };
 
 /// Nothing where there is no position or no attitude, of which `missing` says which, and where it was cancelled.

@@ -34,14 +34,29 @@ double score_of(const PositionReading& position, const AttitudeReading& attitude
   return score_rad;
 }
 
-/// Some twenty rows a second are enough for directions.
-std::vector<std::size_t> rows_of(const TimeReading& time) {
+std::vector<std::size_t> attitude_columns(const SampledTable& table, const ColumnNames& names) {
+  constexpr Quantity kAll[] = {Quantity::Roll, Quantity::Pitch, Quantity::Heading, Quantity::Yaw,
+                               Quantity::Qx,   Quantity::Qy,    Quantity::Qz,      Quantity::Qw};
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i].numeric && names[i] && std::ranges::find(kAll, names[i]->quantity) != std::end(kAll))
+      columns.push_back(i);
+  return columns;
+}
+
+/// Some twenty rows a second, which are enough for directions, of those that have a value in all of the columns: a log
+/// may give attitudes in every fifth row, and of these none is to be missed.
+std::vector<std::size_t> rows_of(const SampledTable& table, const TimeReading& time,
+                                 const std::vector<std::size_t>& columns) {
   constexpr double kEnough_hz = 20.0;
+  std::vector<std::size_t> filled, rows;
+  for (std::size_t row = 0; row < time.times_s.size(); ++row)
+    if (std::ranges::all_of(columns, [&](std::size_t i) { return std::isfinite(table.columns[i].values[row]); }))
+      filled.push_back(row);
   const double span_s = time.last_s - time.first_s;
-  const double rate_hz = span_s > 0.0 ? static_cast<double>(time.times_s.size()) / span_s : 0.0;
+  const double rate_hz = span_s > 0.0 ? static_cast<double>(filled.size()) / span_s : 0.0;
   const std::size_t stride = std::max<std::size_t>(1, static_cast<std::size_t>(rate_hz / kEnough_hz));
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < time.times_s.size(); row += stride) rows.push_back(row);
+  for (std::size_t i = 0; i < filled.size(); i += stride) rows.push_back(filled[i]);
   return rows;
 }
 
@@ -105,7 +120,8 @@ void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis
   if (one.attitude.quaternion || one.fit.slope != SlopeFit::Opposite) return;
   Hypothesis other = one;
   other.attitude.signs[1] = -other.attitude.signs[1];
-  other.fit = travel_fit(poses_of(table, time, *one.position, other.attitude, rows_of(time)));
+  other.fit =
+      travel_fit(poses_of(table, time, *one.position, other.attitude, rows_of(table, time, other.attitude.columns())));
   if (other.fit.slope == SlopeFit::Agrees) one = std::move(other);
 }
 
@@ -128,7 +144,7 @@ std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNam
   for (const PositionReading& position : positions)
     for (AttitudeReading& attitude : attitude_readings(table, names, time, position))
       out.push_back({&position, std::move(attitude), {}, 0.0});
-  const std::vector<std::size_t> rows = rows_of(time);
+  const std::vector<std::size_t> rows = rows_of(table, time, attitude_columns(table, names));
   const auto fit = [&](const PositionReading& position, const std::vector<std::size_t>& some) {
     for (Hypothesis& one : out) {
       if (one.position != &position || progress.cancelled()) continue;

@@ -41,6 +41,7 @@ std::optional<double> number_with_comma(std::string_view field) {
 
 std::optional<double> number_of(std::string_view field, const TableText& text) {
   if (const auto number = formats::parse_any_number(field)) return number;
+  if (const auto number = formats::parse_labelled_number(field)) return number;
   return text.decimal_commas ? number_with_comma(field) : std::nullopt;
 }
 
@@ -71,7 +72,12 @@ struct Parting {
 Parting parting_of(const std::vector<std::string_view>& lines, char separator, bool decimal_commas) {
   Parting parting{{separator, decimal_commas, 0}, 0, 0.0};
   std::vector<std::string_view> fields;
-  std::map<std::size_t, std::pair<std::size_t, double>> by_count;  // lines, and values less the fields that are none
+  struct Lines {
+    double score = 0.0;      // values less the fields that are none
+    std::size_t parted = 0;  // fields of the last, with empty ones at the end
+  };
+  std::map<std::size_t, Lines> by_count;              // of fields
+  std::map<std::size_t, std::size_t> most_of_parted;  // fields of the fullest, by those with empty ones
   std::size_t commas = 0;
   for (const std::string_view line : lines) {
     formats::split_declared(line, parting.text, fields);
@@ -83,12 +89,15 @@ Parting parting_of(const std::vector<std::string_view>& lines, char separator, b
       commas += decimal_commas && number_with_comma(fields[i]).has_value();
     }
     if (score <= 0.0) continue;
-    auto& [count, sum] = by_count[filled];
-    ++count, sum += score;
+    by_count[filled].score += score;
+    by_count[filled].parted = fields.size();
+    most_of_parted[fields.size()] = std::max(most_of_parted[fields.size()], filled);
   }
   if (decimal_commas && commas == 0) return parting;
-  for (const auto& [count, found] : by_count)
-    if (found.second > parting.score) parting.fields = count, parting.score = found.second;
+  // Where the last columns are empty in most lines, others of as many separators tell how many there are.
+  for (const auto& [count, lines_of_it] : by_count)
+    if (lines_of_it.score > parting.score)
+      parting.fields = most_of_parted[lines_of_it.parted], parting.score = lines_of_it.score;
   return parting;
 }
 

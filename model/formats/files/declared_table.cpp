@@ -118,8 +118,10 @@ Message DeclaredRows::label(const ColumnRef& column) const {
 double DeclaredRows::number(const ColumnRef& column) const {
   const std::string_view text = field(column);
   if (is_no_value(text)) fail(say::table_no_value(label(column)));
-  const double value = require_number(
-      text, [&] { return label(column); }, path_, line_number());
+  const std::optional<double> labelled = parse_labelled_number(text);
+  const double value = labelled ? *labelled
+                                : require_number(
+                                      text, [&] { return label(column); }, path_, line_number());
   if (text_.no_value == value) fail(say::log_not_known(label(column), std::string(text.substr(0, 40))));
   return value;
 }

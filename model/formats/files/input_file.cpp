@@ -188,6 +188,22 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::optional<double> parse_any_number(std::string_view text) { return parse_double(trim(text)); }
 
+std::optional<double> parse_labelled_number(std::string_view text) {
+  static constexpr std::string_view kDegreeSigns[] = {"\xc2\xb0", "\xb0", "deg"};  // UTF-8, Latin-1
+  text = trim(text);
+  const std::size_t end = text.find_last_of("0123456789.") + 1;  // 0 where there is no digit at all
+  std::string_view label = trim(text.substr(end));
+  bool is_angle = false;
+  for (const std::string_view sign : kDegreeSigns)
+    if (!is_angle && label.starts_with(sign)) is_angle = true, label = trim(label.substr(sign.size()));
+  const bool negative = label == "S" || label == "W";
+  const bool is_side = negative || label == "N" || label == "E";
+  if (!label.empty() && !is_side && (is_angle || (label != "m" && label != "m/s"))) return std::nullopt;
+  const std::optional<double> value = parse_number(text.substr(0, end));
+  if (value && is_side && std::signbit(*value)) return std::nullopt;  // "-48.1 S" may be either
+  return value && negative ? -*value : value;
+}
+
 std::optional<std::int64_t> parse_integer(std::string_view text) {
   text = trim(text);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);

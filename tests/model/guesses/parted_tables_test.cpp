@@ -96,6 +96,47 @@ TEST_F(parted_tables, without_a_time_in_common_are_told_apart) {
   EXPECT_TRUE(says_why(found, "position.csv and attitudes in attitude.csv have no time in common"));
 }
 
+/// GPS time beside UTC, or the computer's clock: as they stand, latitude and longitude exchanged would fit better.
+TEST_F(parted_tables, of_two_clocks_are_brought_together_and_open) {
+  for (const double later_s : {3.0, -18.0}) {
+    write_parts(2, 1, static_cast<std::int64_t>(1e9 * later_s));
+    const Description found = described({folder_.path()});
+    ASSERT_TRUE(found.ins && found.ins->attitude) << (found.missing.empty() ? "" : english(found.missing.front()));
+    const Guess* time = find_guess(found.ins->attitude->guesses, GuessKind::Time);
+    ASSERT_NE(time, nullptr);
+    EXPECT_EQ(time->sureness, Sureness::Open);
+    EXPECT_TRUE(says(time->evidence, "guess-two-clocks"));
+    EXPECT_EQ(guess_of(found, GuessKind::Position)->sureness, Sureness::Named);
+    const double added_s = 1e-9 * static_cast<double>(found.ins->attitude->layout.offset_ns);
+    std::cout << "later by " << later_s << " s: " << added_s << " s are added\n";
+    EXPECT_NEAR(added_s, -later_s, 0.15);
+    const auto [off_m, off_rad] = errors_of(opened(found, folder_.path()));
+    EXPECT_LT(off_m, 1e-5);
+    EXPECT_LT(off_rad, 0.05);
+    fs::remove(folder_.path() / "session.yaml");
+  }
+}
+
+/// As of an INS that solves for attitudes less often than it writes; where every fifth row is looked at these are
+/// missed.
+TEST_F(parted_tables, in_one_whose_attitudes_stand_in_every_fifth_row_are_read_there) {
+  write_rows(folder_.path() / "motion.csv", "time_ns" + std::string(kGeodeticHead),
+             [](std::size_t i, const WrittenSample& sample) {
+               const Fields turned = i % 5 == 3 ? angles(heading_angles(sample)) : Fields{"", "", ""};
+               return joined({std::to_string(sample.ins.stamp_ns)}, joined(place_deg(sample), turned));
+             });
+  const Description found = described({folder_.path()});
+  ASSERT_TRUE(found.ins) << (found.missing.empty() ? "" : english(found.missing.front()));
+  EXPECT_EQ(guess_of(found, GuessKind::Attitude)->sureness, Sureness::Checked);
+  const drive::Session session = opened(found, folder_.path());
+  EXPECT_NEAR(static_cast<double>(session.ins.size()), static_cast<double>(samples_->size()) / 5.0, 1.0);
+  const auto [off_m, off_rad] = errors_of(session);
+  std::cout << session.ins.size() << " of " << samples_->size() << " rows, off by " << off_m << " m and " << off_rad
+            << " rad\n";
+  EXPECT_LT(off_m, 1e-5);
+  EXPECT_LT(off_rad, 1e-7);
+}
+
 TEST_F(parted_tables, give_way_to_a_table_that_has_all) {
   write_parts(2, 1);
   folder_.write("motion.txt", table_text(layouts().front(), *samples_));

@@ -112,6 +112,26 @@ TEST_F(written_places, with_letters_for_their_sides_lie_on_these) {
   EXPECT_LT(off_m, 1e-4);
 }
 
+/// South-west of zero, with the sides behind the numbers.
+TEST_F(written_places, with_letters_and_degree_signs_behind_the_numbers_are_read) {
+  const std::vector<WrittenSample> samples = moved(-0.41, -0.81);
+  const auto written = [](double angle_rad, const char* label) {
+    char text[60];
+    std::snprintf(text, sizeof text, "%.9f%s", std::abs(radians_to_degrees(angle_rad)), label);
+    return std::string(text);
+  };
+  const Description found = described_as(
+      "lat,lon",
+      [&](const auto& s) {
+        return Fields{written(s.ins.latitude_rad, "S"), written(s.ins.longitude_rad, "\xc2\xb0 W")};
+      },
+      samples);
+  ASSERT_TRUE(found.complete()) << (found.not_used.empty() ? "" : english(found.not_used.front().why));
+  const double off_m = farthest_m(opened(found, folder_.path()), samples);
+  std::cout << "off by " << off_m << " m\n";
+  EXPECT_LT(off_m, 1e-3);
+}
+
 TEST_F(written_places, in_small_parts_of_a_degree_are_told_where_nothing_else_fits) {
   const auto place = [](const WrittenSample& s) {
     return Fields{small_text(s.ins.latitude_rad), small_text(s.ins.longitude_rad)};

@@ -22,6 +22,19 @@ TEST(input_file, numbers_are_strict_and_finite) {
   EXPECT_ERROR(require_number("abc", "yaw", "ins.csv", 7), "ins.csv:7: yaw is 'abc'");
 }
 
+TEST(input_file, numbers_may_have_behind_them_what_instruments_write) {
+  EXPECT_EQ(parse_labelled_number(" 250.1 m "), 250.1);
+  EXPECT_EQ(parse_labelled_number("-3.5m/s"), -3.5);
+  EXPECT_EQ(parse_labelled_number("12.5 deg"), 12.5);
+  EXPECT_EQ(parse_labelled_number("48.125\xc2\xb0 N"), 48.125);
+  EXPECT_EQ(parse_labelled_number("48.125\xb0S"), -48.125);
+  EXPECT_EQ(parse_labelled_number("0.5W"), -0.5);
+  EXPECT_EQ(parse_labelled_number("1e-3"), 1e-3);
+  for (const char* text :
+       {"", "m", "N", "1.5 mm", "1.5 km/h", "-48.1 S", "48.1 NE", "12.5 deg m", "1.5x", "nan", "1,5 m"})
+    EXPECT_FALSE(parse_labelled_number(text)) << text;
+}
+
 TEST(input_file, lines_of_old_spreadsheets_end_in_carriage_returns) {
   LineReader old("a,b\r1,2\r3,4"), mixed("a\r\nb\rc\n");
   std::string_view line;
