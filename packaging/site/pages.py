@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 
+from interfaces import cpp_page, python_page
 from sources import ROOT, errors_with_advice, finding_codes, read, read_messages
 
 LANGUAGES = ["en", "zh_CN"]
@@ -206,6 +207,8 @@ def main():
         write(target, "reference/settings.md", settings_page(program, language))
         write(target, "reference/verbs.md", verbs_page(program, language))
         write(target, "reference/window-help.md", window_page(language))
+        write(target, "reference/cpp.md", cpp_page(language))
+        write(target, "reference/python.md", python_page(language))
     shutil.copytree(os.path.join(ROOT, "packaging/site/theme"), os.path.join(folder, "theme"))
     write(folder, "en.yml", configuration("packaging/site/mkdocs.yml"))
     write(folder, "zh_CN.yml", configuration("packaging/site/mkdocs.zh_CN.yml"))
