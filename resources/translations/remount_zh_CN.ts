@@ -1117,6 +1117,10 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>The report is not written: the result changed while it waited for the comparison of the map. Ask for it again.</source>
         <translation>未写出报告：等待地图比较期间结果已改变。请重新生成。</translation>
     </message>
+    <message>
+        <source>Open the report</source>
+        <translation>打开报告</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::ResidualsFeature</name>

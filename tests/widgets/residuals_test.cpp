@@ -310,6 +310,21 @@ TEST_F(residuals_panel, a_click_selects_everywhere_and_what_is_selected_elsewher
   photograph(window_, "50-residuals");
 }
 
+/// On a small screen the docks beside leave it little.
+TEST(residuals_panel_layout, of_a_narrow_panel_gives_the_plot_all_of_its_width) {
+  ResidualsPanel panel;
+  for (const int width : {420, 900}) {
+    panel.resize(width, 260);
+    panel.show();
+    QApplication::processEvents();
+    std::cout << width << " px: the plot has " << panel.plot()->width() << " x " << panel.plot()->height() << "\n";
+    EXPECT_GT(panel.plot()->width(), width < 500 ? width - 20 : width - 220);
+    EXPECT_GT(panel.plot()->height(), 150);
+    EXPECT_TRUE(
+        panel.rect().contains(QRect(panel.reject_button()->mapTo(&panel, QPoint()), panel.reject_button()->size())));
+  }
+}
+
 TEST_F(residuals_panel, rejects_what_is_marked_with_a_reason_in_one_step) {
   show_panel();
   ResidualPlot& plot = *panel().plot();

@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -17,6 +16,8 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "model/formats/files/number_text.h"
+#include "widgets/basics/file_dialogs.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/basics/scale_bar.h"
 #include "widgets/basics/theme.h"
@@ -240,13 +241,14 @@ void SceneView::show_picked() {
   if (measuring() && picked_.size() == 1) text += QLatin1Char('\n') + tr("Click the second point.");
   if (picked_.size() == 2) {
     const Eigen::Vector3d apart = picked_[1].point_in_view - picked_[0].point_in_view;
-    const QString distance = tr("%1 m").arg(apart.norm(), 0, 'f', 3);
+    const auto rounded = [](double value_m) { return QString::fromStdString(formats::rounded_text(value_m, 3)); };
+    const QString distance = tr("%1 m").arg(rounded(apart.norm()));
     marks.label = distance.toStdString();
     text = tr("Distance %1 (x %2, y %3, z %4 m in %5). Esc ends measuring.")
                .arg(distance)
-               .arg(apart.x(), 0, 'f', 3)
-               .arg(apart.y(), 0, 'f', 3)
-               .arg(apart.z(), 0, 'f', 3)
+               .arg(rounded(apart.x()))
+               .arg(rounded(apart.y()))
+               .arg(rounded(apart.z()))
                .arg(axes_in_words());
   }
   stage_->show_marks(marks);
@@ -308,7 +310,8 @@ void SceneView::show_menu(const QPoint& place_in_canvas) {
 
 void SceneView::save_picture() {
   const QImage shown = picture();
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), tr("view.png"), tr("Pictures (*.png)"));
+  const QString path =
+      ask_where_to_save(this, tr("Save picture"), FileKind::Pictures, tr("view.png"), tr("Pictures (*.png)"));
   if (!path.isEmpty() && !shown.save(path)) say(tr("The picture cannot be written: %1").arg(path));
 }
 

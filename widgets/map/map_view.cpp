@@ -16,6 +16,7 @@
 #include "widgets/basics/swatch.h"
 #include "widgets/scene/distance_scale.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/parameter_text.h"
 
 namespace remount::widgets {
 
@@ -189,9 +190,9 @@ std::optional<SceneView::Pick> MapView::pick(const scene::PickRay& ray) const {
   const auto point = scene_.pick(ray);
   if (!point) return std::nullopt;
   return Pick{*point, tr("x %1, y %2, z %3 m in %4.")
-                          .arg(point->x(), 0, 'f', 3)
-                          .arg(point->y(), 0, 'f', 3)
-                          .arg(point->z(), 0, 'f', 3)
+                          .arg(rounded_text(point->x(), 3))
+                          .arg(rounded_text(point->y(), 3))
+                          .arg(rounded_text(point->z(), 3))
                           .arg(axes_in_words())};
 }
 

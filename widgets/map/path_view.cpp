@@ -13,6 +13,7 @@
 #include "model/report/plot_chart.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/parameter_text.h"
 
 namespace remount::widgets {
 namespace {
@@ -127,9 +128,9 @@ std::optional<SceneView::Pick> PathView::pick(const scene::PickRay& ray) const {
   const QString name = model_text(plot->curves[picked->path].name);
   return Pick{picked->point_in_view, tr("%1: x %2, y %3, z %4 m in %5.")
                                          .arg(name)
-                                         .arg(picked->point_m.x(), 0, 'f', 3)
-                                         .arg(picked->point_m.y(), 0, 'f', 3)
-                                         .arg(picked->point_m.z(), 0, 'f', 3)
+                                         .arg(rounded_text(picked->point_m.x(), 3))
+                                         .arg(rounded_text(picked->point_m.y(), 3))
+                                         .arg(rounded_text(picked->point_m.z(), 3))
                                          .arg(axes_in_words())};
 }
 

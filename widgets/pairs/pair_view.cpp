@@ -18,6 +18,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/basics/value_legend.h"
 #include "widgets/scene/pair_colors.h"
+#include "widgets/text/parameter_text.h"
 
 namespace remount::widgets {
 namespace {
@@ -317,7 +318,10 @@ std::optional<SceneView::Pick> PairView::pick(const scene::PickRay& ray) const {
   const auto picked = scene_.pick(ray);
   if (!picked) return std::nullopt;
   const auto text = [](const Eigen::Vector3d& point) {
-    return tr("x %1, y %2, z %3 m").arg(point.x(), 0, 'f', 3).arg(point.y(), 0, 'f', 3).arg(point.z(), 0, 'f', 3);
+    return tr("x %1, y %2, z %3 m")
+        .arg(rounded_text(point.x(), 3))
+        .arg(rounded_text(point.y(), 3))
+        .arg(rounded_text(point.z(), 3));
   };
   const QString own = picked->in_scan_a ? tr("scan a") : tr("scan b"),
                 other = picked->in_scan_a ? tr("scan b") : tr("scan a");

@@ -13,6 +13,7 @@ namespace remount::widgets {
 namespace {
 
 constexpr int kChoices_px = 190;
+constexpr int kNarrow_px = 520;  ///< below, choices beside the plot would take half of it
 
 QString number_with_unit(double value, const QString& unit) {
   return QStringLiteral("%1 %2").arg(value, 0, 'g', 3).arg(unit);
@@ -26,19 +27,23 @@ ResidualsPanel::ResidualsPanel(QWidget* parent)
       measure_(new QComboBox(this)),
       circumstance_(new QComboBox(this)),
       reject_(new QPushButton(tr("Reject marked"), this)),
-      summary_(new QLabel(this)) {
-  auto* side = new QWidget(this);
-  side->setFixedWidth(kChoices_px);
-  auto* column = new QVBoxLayout(side);
+      summary_(new QLabel(this)),
+      side_(new QWidget(this)),
+      row_(new QBoxLayout(QBoxLayout::LeftToRight, this)),
+      choices_(new QBoxLayout(QBoxLayout::TopToBottom)),
+      states_(new QBoxLayout(QBoxLayout::TopToBottom)) {
+  auto* column = new QVBoxLayout(side_);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(3);
-  add_choices(column);
-  add_states(column);
+  for (QBoxLayout* part : {static_cast<QBoxLayout*>(column), choices_, states_}) part->setSpacing(3);
+  column->addLayout(choices_);
+  column->addLayout(states_);
+  add_choices();
+  add_states();
   reject_->setToolTip(
       tr("Draw a line around points with the left button: they are marked. With Shift they are marked "
          "beside those before."));
   connect(reject_, &QPushButton::clicked, this, &ResidualsPanel::reject_marked);
-  column->addWidget(reject_);
+  states_->addWidget(reject_);
   summary_->setWordWrap(true);
   summary_->setAlignment(Qt::AlignTop);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -46,14 +51,28 @@ ResidualsPanel::ResidualsPanel(QWidget* parent)
   summary_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // a low panel cuts it, not the plot
   column->addWidget(summary_, 1);
   connect(plot_, &ResidualPlot::contents_changed, this, &ResidualsPanel::show_summary);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(6, 4, 6, 4);
-  row->addWidget(side);
-  row->addWidget(plot_, 1);
+  row_->setContentsMargins(6, 4, 6, 4);
+  row_->addWidget(side_);
+  row_->addWidget(plot_, 1);
+  lay_out(false);
   show_summary();
 }
 
-void ResidualsPanel::add_choices(QVBoxLayout* column) {
+void ResidualsPanel::lay_out(bool narrow) {
+  row_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  for (QBoxLayout* part : {choices_, states_})
+    part->setDirection(narrow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  side_->setMinimumWidth(narrow ? 0 : kChoices_px);
+  side_->setMaximumWidth(narrow ? QWIDGETSIZE_MAX : kChoices_px);
+  summary_->setVisible(!narrow);  // it is the tool tip of the panel as well
+}
+
+void ResidualsPanel::resizeEvent(QResizeEvent* event) {
+  lay_out(width() < kNarrow_px);
+  QWidget::resizeEvent(event);
+}
+
+void ResidualsPanel::add_choices() {
   for (const ResidualMeasure measure : kResidualMeasures)
     measure_->addItem(QStringLiteral("%1 [%2]").arg(name_of(measure), unit_of(measure)));
   for (const PairCircumstance circumstance : kPairCircumstances) circumstance_->addItem(name_of(circumstance));
@@ -72,11 +91,11 @@ void ResidualsPanel::add_choices(QVBoxLayout* column) {
                       kPairCircumstances.at(index_at(circumstance_->currentIndex())));
     });
   }
-  column->addWidget(measure_);
-  column->addLayout(row);
+  choices_->addWidget(measure_, 1);
+  choices_->addLayout(row, 1);
 }
 
-void ResidualsPanel::add_states(QVBoxLayout* column) {
+void ResidualsPanel::add_states() {
   const auto add = [&](motion::PairState state, const QString& text) {
     auto* box = new QCheckBox(text, this);
     box->setChecked(true);
@@ -85,7 +104,7 @@ void ResidualsPanel::add_states(QVBoxLayout* column) {
     });
     connect(box, &QCheckBox::toggled, plot_,
             [plot = plot_, state](bool shown) { plot->show_state_of_pairs(state, shown); });
-    column->addWidget(box);
+    states_->addWidget(box);
   };
   add(motion::PairState::Accepted, tr("● accepted"));
   add(motion::PairState::Rejected, tr("✕ rejected"));
@@ -112,6 +131,7 @@ void ResidualsPanel::show_summary() {
   if (summary.unknown > 0) lines << tr("%n without a value", nullptr, summary.unknown);
   summary_->setText(lines.join('\n'));
   summary_->setToolTip(summary_->text());
+  setToolTip(summary_->text());
 }
 
 void ResidualsPanel::reject_marked() {

@@ -2,7 +2,6 @@
 
 #include <QClipboard>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFontDatabase>
 #include <QGridLayout>
 #include <QGuiApplication>
@@ -13,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "algorithms/core/index.h"
+#include "widgets/basics/file_dialogs.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 
@@ -124,8 +124,8 @@ void ExportDialog::ask_where() {
   if (list_->currentRow() < 0) return;
   const ExportFormat& format = formats_[index_at(list_->currentRow())];
   const QString title = tr("Save %1").arg(format.title);
-  const QString path = format.folder ? QFileDialog::getExistingDirectory(this, title)
-                                     : QFileDialog::getSaveFileName(this, title, format.file_name);
+  const QString path = format.folder ? ask_for_folder(this, title, FileKind::Exports)
+                                     : ask_where_to_save(this, title, FileKind::Exports, format.file_name);
   if (!path.isEmpty()) emit save_requested(format.id, path, current_text());
 }
 

@@ -79,9 +79,8 @@ QString result_as_text(const calibration::CalibrationResult& result) {
     lines << QStringLiteral("%1 = %2%3 %4")
                  .arg(parameter_name(i))
                  .arg(rounded_text(values[i], 4))
-                 .arg(unit_suffix(i),
-                      sigma ? QStringLiteral("± %1%2").arg(results::on_screen(i, *sigma), 0, 'f', 4).arg(unit_suffix(i))
-                            : ResultPanel::tr("(not observed: do not rely on it)"));
+                 .arg(unit_suffix(i), sigma ? spread_text(i, results::on_screen(i, *sigma), 4)
+                                            : ResultPanel::tr("(not observed: do not rely on it)"));
   }
   return lines.join('\n');
 }
@@ -286,9 +285,8 @@ void ResultPanel::show_parameters(const calibration::CalibrationResult& result, 
     const double spread = sigma ? results::on_screen(i, *sigma) : 0.0;
     const double bootstrap = results::on_screen(i, estimate.bootstrap_sigma.value_or(0.0));
     row.sigma->setText(!numbers ? QString()
-                       : sigma  ? QStringLiteral("± %1%2").arg(spread, 0, 'f', 4).arg(unit_suffix(i)) +
-                                     (estimate.measured ? QStringLiteral(" *") : QString())
-                               : tr("not observed"));
+                       : sigma  ? spread_text(i, spread, 4) + (estimate.measured ? QStringLiteral(" *") : QString())
+                                : tr("not observed"));
     set_style(*row.sigma,
               sigma || !numbers ? Style([](const QPalette&) { return QString(); }) : text_in(warning_color));
     row.sigma->setToolTip(

@@ -41,7 +41,7 @@ QString nominal_table(const pipeline::PipelineOutput& output) {
   for (const calibration::Parameter i : calibration::kParameters) {
     double change = found[i] - nominal[i];
     if (calibration::is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
-    const auto number = [&](double value) { return QString::number(value, 'f', 3) + unit_suffix(i); };
+    const auto number = [&](double value) { return rounded_text(value, 3) + unit_suffix(i); };
     const bool known = output.result.known[i].observed;
     rows += html_row({parameter_name(i), number(nominal[i]), known ? number(found[i]) : QStringLiteral("–"),
                       known ? moved_text(i, change) : QStringLiteral("–")});

@@ -25,6 +25,15 @@ QString unit_suffix(calibration::Parameter parameter) {
   return calibration::is_angle(parameter) ? QStringLiteral("°") : QStringLiteral(" m");
 }
 
+QString spread_text(calibration::Parameter parameter, double spread, int decimals) {
+  const double least = std::pow(10.0, -decimals);
+  const bool none = spread > 0.0 && spread < 0.5 * least;
+  return QStringLiteral("± ") +
+         (none ? QStringLiteral("< ") + QString::number(least, 'f', decimals)
+               : QString::number(spread, 'f', decimals)) +
+         unit_suffix(parameter);
+}
+
 QString moved_text(calibration::Parameter parameter, double change) {
   const bool small = std::abs(change) < 1.0, in_mm = small && !calibration::is_angle(parameter);
   const QString unit = in_mm ? QStringLiteral(" mm") : unit_suffix(parameter);

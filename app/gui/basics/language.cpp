@@ -5,7 +5,7 @@
 #include <QSettings>
 #include <QTranslator>
 
-#include "app/gui/basics/remembering.h"
+#include "widgets/basics/remembering.h"
 
 /// Resources of a static library are left out where nothing names them. Not in a namespace: the macro says so.
 static void name_resources() {
@@ -46,7 +46,7 @@ QString language_for(const QStringList& system_languages) {
 }
 
 QString preferred_language() {
-  const QString chosen = remembers() ? QSettings().value(kLanguageKey).toString() : QString();
+  const QString chosen = widgets::remembers() ? QSettings().value(kLanguageKey).toString() : QString();
   for (const SpokenLanguage& language : languages())
     if (language.code == chosen) return chosen;
   return language_for(QLocale::system().uiLanguages());
@@ -61,7 +61,7 @@ void speak(const QString& code, bool remember) {
     QCoreApplication::installTranslator(&now.of_qt);  // buttons of Qt's own dialogs
   if (now.own.load(":/translations/remount_" + code + ".qm")) QCoreApplication::installTranslator(&now.own);
   QLocale::setDefault(code == QLatin1String("en") ? QLocale(QLocale::English) : QLocale(code));
-  if (remember && remembers()) QSettings().setValue(kLanguageKey, code);
+  if (remember && widgets::remembers()) QSettings().setValue(kLanguageKey, code);
 }
 
 QString spoken_language() { return language_state().code; }

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include "app/gui/basics/remembering.h"
+#include "widgets/basics/remembering.h"
 
 namespace remount::gui {
 namespace {
@@ -12,7 +12,7 @@ const QString kPathsKey = QStringLiteral("recent/paths");
 }  // namespace
 
 RecentPaths::RecentPaths() {
-  if (remembers()) paths_ = QSettings().value(kPathsKey).toStringList();
+  if (widgets::remembers()) paths_ = QSettings().value(kPathsKey).toStringList();
   while (paths_.size() > kMost) paths_.removeLast();
 }
 
@@ -30,7 +30,7 @@ void RecentPaths::clear() {
 }
 
 void RecentPaths::keep() const {
-  if (remembers()) QSettings().setValue(kPathsKey, paths_);
+  if (widgets::remembers()) QSettings().setValue(kPathsKey, paths_);
 }
 
 QStringList RecentPaths::labels() const {

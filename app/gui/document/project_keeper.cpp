@@ -1,7 +1,6 @@
 #include "app/gui/document/project_keeper.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
@@ -10,6 +9,7 @@
 
 #include "algorithms/core/index.h"
 #include "app/gui/workbench/wording.h"
+#include "widgets/basics/file_dialogs.h"
 #include "widgets/project/recovery_dialog.h"
 #include "widgets/sessions/missing_sessions_dialog.h"
 
@@ -164,8 +164,9 @@ void ProjectKeeper::locate(widgets::MissingSessionsDialog& dialog, const QString
   if (row < 0) return;
   const QString was = missing.at(row);
   const QString title = tr("Where is %1 now?").arg(QFileInfo(was).fileName());
-  const QString path = QFileInfo(was).suffix().isEmpty() ? QFileDialog::getExistingDirectory(&dialog, title)
-                                                         : QFileDialog::getOpenFileName(&dialog, title);
+  const QString path = QFileInfo(was).suffix().isEmpty()
+                           ? widgets::ask_for_folder(&dialog, title, widgets::FileKind::Recordings)
+                           : widgets::ask_for_file(&dialog, title, widgets::FileKind::Recordings);
   if (path.isEmpty()) return;
   dialog.show_found(row, path);
   for (int other = 0; other < missing.size(); ++other) {

@@ -1,9 +1,11 @@
 #include "app/gui/document/report_maker.h"
 
 #include <QBuffer>
+#include <QDesktopServices>
 #include <QImage>
 #include <QThread>
 #include <QTimer>
+#include <QUrl>
 #include <future>
 #include <initializer_list>
 
@@ -59,6 +61,11 @@ QString html_beside(const QString& typed_path) {
 }
 
 QString pdf_beside(const QString& html_path) { return without_html(html_path) + QStringLiteral(".pdf"); }
+
+void offer_to_open_report(Notices& notices, const QString& html_path) {
+  notices.offer(ReportMaker::tr("Open the report"),
+                [html_path] { QDesktopServices::openUrl(QUrl::fromLocalFile(html_path)); });
+}
 
 report::ReportStyle report_style() {
   report::ReportStyle style;

@@ -69,6 +69,9 @@ QString html_beside(const QString& typed_path);
 /// Where the PDF of a page goes.
 QString pdf_beside(const QString& html_path);
 
+/// Behind the message that it is saved: the button that shows it.
+void offer_to_open_report(Notices& notices, const QString& html_path);
+
 /// Words of a report in the language of the window.
 report::ReportStyle report_style();
 

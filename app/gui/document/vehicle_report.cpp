@@ -20,6 +20,7 @@ void make_vehicle_report(Workbench& workbench, const QString& html_path) {
         formats::save_atomically(html_path.toStdString(), report::vehicle_report_html(common->file, of_each, style));
         return [&workbench, html_path] {
           workbench.notices().say(drive::Severity::Note, html_path, Vehicle::tr("report of all LiDARs saved"));
+          offer_to_open_report(workbench.notices(), html_path);
         };
       },
       workbench.notices().report_failure());

@@ -1,11 +1,11 @@
 #include "app/gui/features/import_feature.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "app/gui/features/help_feature.h"
 #include "app/gui/shell/main_window.h"
+#include "widgets/basics/file_dialogs.h"
 
 namespace remount::gui {
 
@@ -42,8 +42,8 @@ void ImportFeature::offer(const QString& path) {
 
 void ImportFeature::ask_for_table() {
   const QString path =
-      QFileDialog::getOpenFileName(&window_, tr("The table with the motion of the INS"), {},
-                                   tr("Tables (*.csv *.txt *.tsv *.dat *.asc *.log *.pos);;All files (*)"));
+      widgets::ask_for_file(&window_, tr("The table with the motion of the INS"), widgets::FileKind::Recordings,
+                            tr("Tables (*.csv *.txt *.tsv *.dat *.asc *.log *.pos);;All files (*)"));
   if (!path.isEmpty()) import(path);
 }
 

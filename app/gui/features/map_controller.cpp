@@ -75,6 +75,7 @@ void MapController::offer() {
   if (!output) {
     give_up();
     made_ = {};
+    view_.show_choices({}, tr("Start"), {});
     view_.show_message(
         tr("The scans of a session, put together under one mounting, are shown here after a calibration."));
     return;

@@ -1,10 +1,10 @@
 #include "app/gui/features/methods_feature.h"
 
-#include <QFileDialog>
 #include <QTabWidget>
 
 #include "app/gui/features/method_controller.h"
 #include "app/gui/shell/main_window.h"
+#include "widgets/basics/file_dialogs.h"
 #include "widgets/map/path_view.h"
 #include "widgets/methods/method_view.h"
 #include "widgets/result/comparison_view.h"
@@ -41,8 +41,8 @@ void MethodsFeature::show_methods() {
 }
 
 void MethodsFeature::ask_for_results() {
-  const QStringList paths = QFileDialog::getOpenFileNames(&window_, tr("Results to compare"), {},
-                                                          tr("Results (*.yaml *.yml *.json);;All files (*)"));
+  const QStringList paths = widgets::ask_for_files(&window_, tr("Results to compare"), widgets::FileKind::Results,
+                                                   tr("Results (*.yaml *.yml *.json);;All files (*)"));
   if (!paths.isEmpty()) control_->add_files(paths);
 }
 

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QSettings>
 
-#include "app/gui/basics/remembering.h"
 #include "app/gui/features/obstacle_controller.h"
 #include "app/gui/features/pairs_feature.h"
 #include "app/gui/features/scene_controller.h"
@@ -11,6 +10,7 @@
 #include "app/gui/shell/main_window.h"
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
+#include "widgets/basics/remembering.h"
 #include "widgets/basics/theme.h"
 #include "widgets/pairs/pair_view.h"
 #include "widgets/quality/obstacle_dialog.h"
@@ -49,7 +49,7 @@ void PairViewFeature::make_review() {
 void PairViewFeature::make_scene() {
   scenes_ = new SceneController(
       workbench_, *view_, [this](motion::PairIndex pair) { return caption(pair); }, &window_);
-  if (const QVariant scale = remembers() ? QSettings().value(kScale) : QVariant(); scale.isValid())
+  if (const QVariant scale = widgets::remembers() ? QSettings().value(kScale) : QVariant(); scale.isValid())
     view_->set_scale(scale.toDouble());
   connect(view_, &widgets::PairView::ground_shown, this,
           [this](bool visible) { workbench_.pair_scenes().tell_ground_apart(!visible); });
@@ -57,7 +57,7 @@ void PairViewFeature::make_scene() {
     if (auto* sections = window_.feature<SectionFeature>()) sections->lay_through(point_in_lidar_b);
   });
   connect(view_, &widgets::PairView::scale_changed, this, [](double limit_m) {
-    if (remembers()) QSettings().setValue(kScale, limit_m);
+    if (widgets::remembers()) QSettings().setValue(kScale, limit_m);
   });
 }
 

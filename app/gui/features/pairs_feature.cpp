@@ -10,8 +10,8 @@
 #include <QToolButton>
 
 #include "app/gui/basics/held_action.h"
-#include "app/gui/basics/remembering.h"
 #include "app/gui/shell/main_window.h"
+#include "widgets/basics/remembering.h"
 #include "widgets/pairs/error_chart_panel.h"
 #include "widgets/pairs/pair_table_model.h"
 #include "widgets/pairs/pairs_panel.h"
@@ -105,9 +105,9 @@ void PairsFeature::make_notes_menu() {
   add_review(MenuPlace::ReviewDecide, "comment", tr("&Comment on pair…"), QKeySequence("C"), [this] { ask_comment(); });
   goes_on_ = window_.menus().add(MenuPlace::ReviewDecide, tr("&Go on to the next pair after a decision"), {}, [] {});
   goes_on_->setCheckable(true);
-  goes_on_->setChecked(remembers() && QSettings().value(kGoesOn).toBool());
+  goes_on_->setChecked(widgets::remembers() && QSettings().value(kGoesOn).toBool());
   connect(goes_on_, &QAction::toggled, this, [](bool on) {
-    if (remembers()) QSettings().setValue(kGoesOn, on);
+    if (widgets::remembers()) QSettings().setValue(kGoesOn, on);
   });
 }
 

@@ -1,6 +1,5 @@
 #include "app/gui/features/project_feature.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPointer>
@@ -8,6 +7,7 @@
 #include "app/gui/basics/sample.h"
 #include "app/gui/document/project_keeper.h"
 #include "app/gui/shell/main_window.h"
+#include "widgets/basics/file_dialogs.h"
 #include "widgets/sessions/sessions_below_dialog.h"
 #include "widgets/shell/welcome_panel.h"
 
@@ -80,12 +80,14 @@ void ProjectFeature::open_paths(const QStringList& paths) {
 }
 
 void ProjectFeature::ask_for_folder() {
-  const QString path = QFileDialog::getExistingDirectory(&window_, tr("Open the folder of a recorded drive"));
+  const QString path =
+      widgets::ask_for_folder(&window_, tr("Open the folder of a recorded drive"), widgets::FileKind::Recordings);
   if (!path.isEmpty()) open_paths({path});
 }
 
 void ProjectFeature::ask_for_file() {
-  const QStringList paths = QFileDialog::getOpenFileNames(&window_, tr("Open files of recorded drives"));
+  const QStringList paths =
+      widgets::ask_for_files(&window_, tr("Open files of recorded drives"), widgets::FileKind::Recordings);
   if (!paths.isEmpty()) open_paths(paths);
 }
 
@@ -97,8 +99,8 @@ void ProjectFeature::ask_for_sessions_below(const QString& folder, const QString
 }
 
 void ProjectFeature::open_project() {
-  const QString path =
-      QFileDialog::getOpenFileName(&window_, tr("Open a project"), {}, tr("Remount projects (*%1)").arg(kSuffix));
+  const QString path = widgets::ask_for_file(&window_, tr("Open a project"), widgets::FileKind::Projects,
+                                             tr("Remount projects (*%1)").arg(kSuffix));
   if (!path.isEmpty()) replace_by(path);
 }
 
@@ -106,8 +108,8 @@ bool ProjectFeature::save_project(bool ask, std::function<void()> saved) {
   ProjectDocument& document = workbench_.document();
   QString path = document.path();
   if (path.isEmpty() || ask || document.read_only())
-    path =
-        QFileDialog::getSaveFileName(&window_, tr("Save the project"), path, tr("Remount projects (*%1)").arg(kSuffix));
+    path = widgets::ask_where_to_save(&window_, tr("Save the project"), widgets::FileKind::Projects, path,
+                                      tr("Remount projects (*%1)").arg(kSuffix));
   if (path.isEmpty()) return false;
   document.save(path.endsWith(kSuffix) ? path : path + kSuffix, std::move(saved));
   return true;

@@ -3,11 +3,11 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/gui/basics/remembering.h"
 #include "app/gui/jobs/error_words.h"
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
 #include "model/method_registry/calibration_method.h"
+#include "widgets/basics/remembering.h"
 #include "widgets/map/map_view.h"
 #include "widgets/quality/clearance_view.h"
 #include "widgets/quality/quality_view.h"
@@ -32,7 +32,7 @@ quality::VehicleBox remembered_box() {
 }
 
 void remember_box(const quality::VehicleBox& box) {
-  if (!remembers()) return;
+  if (!widgets::remembers()) return;
   QSettings settings;
   for (const auto& [key, member] : kBoxKeys) settings.setValue(key, box.*member);
 }
@@ -74,7 +74,7 @@ QualityController::QualityController(Workbench& workbench, widgets::QualityView&
     remember_box(box);
     measure_again();
   });
-  if (remembers()) view_.obstacles()->set_box(remembered_box());
+  if (widgets::remembers()) view_.obstacles()->set_box(remembered_box());
   connect(view_.sharpness(), &widgets::SharpnessView::map_requested, this, &QualityController::map_requested);
 }
 

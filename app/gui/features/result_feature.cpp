@@ -14,6 +14,7 @@
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
 #include "model/results/result_words.h"
+#include "widgets/basics/file_dialogs.h"
 #include "widgets/result/result_panel.h"
 #include "widgets/text/model_text.h"
 
@@ -50,6 +51,7 @@ void ResultFeature::make_report() {
   connect(report_, &ReportMaker::progressed, &window_, &MainWindow::tell);
   connect(report_, &ReportMaker::finished, this, [this](const QString& html, const QString& pdf) {
     workbench_.notices().say(drive::Severity::Note, html, tr("report saved, and as %1").arg(pdf));
+    offer_to_open_report(workbench_.notices(), html);
   });
   connect(report_, &ReportMaker::failed, this, [this](const QString& where, const QString& what) {
     workbench_.notices().say(drive::Severity::Problem, where, what);
@@ -132,8 +134,9 @@ void ResultFeature::ask_for_report() {
                                 ? tr("report.html")
                                 : QFileInfo(project).dir().filePath(QFileInfo(project).completeBaseName() + ".html");
   // The dialog knows of neither the suffix nor the PDF: what will be replaced is asked afterwards, once for both.
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the report (HTML, and PDF beside it)"), suggested,
-                                              tr("Web pages (*.html)"), nullptr, QFileDialog::DontConfirmOverwrite);
+  QString path =
+      widgets::ask_where_to_save(&window_, tr("Save the report (HTML, and PDF beside it)"), widgets::FileKind::Reports,
+                                 suggested, tr("Web pages (*.html)"), QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   path = html_beside(path);
   if (ask_to_replace({path, pdf_beside(path)}, window_)) report_->make(path);

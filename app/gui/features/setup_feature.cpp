@@ -1,6 +1,5 @@
 #include "app/gui/features/setup_feature.h"
 
-#include <QFileDialog>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -9,13 +8,14 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
-#include "app/gui/basics/remembering.h"
 #include "app/gui/document/result_files.h"
 #include "app/gui/features/method_chooser.h"
 #include "app/gui/features/topic_controller.h"
 #include "app/gui/jobs/error_words.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/workbench/wording.h"
+#include "widgets/basics/file_dialogs.h"
+#include "widgets/basics/remembering.h"
 #include "widgets/forms/option_changes.h"
 #include "widgets/project/options_dialog.h"
 #include "widgets/result/nominal_panel.h"
@@ -41,7 +41,7 @@ SetupFeature::SetupFeature(MainWindow& window)
   window.menus().add(MenuPlace::EditOptions, tr("&Options…"), tr("Ctrl+,"), [this] { show_options(); });
   connect_sessions();
   connect_setup();
-  if (remembers() && QSettings().value("angles/radians").toBool()) set_angle_unit(widgets::AngleUnit::Radians);
+  if (widgets::remembers() && QSettings().value("angles/radians").toBool()) set_angle_unit(widgets::AngleUnit::Radians);
   show_sessions();
 }
 
@@ -139,11 +139,12 @@ void SetupFeature::set_angle_unit(widgets::AngleUnit unit) {
   angle_unit_ = unit;
   range_->set_angle_unit(unit);
   if (options_) options_->set_angle_unit(unit, workbench_.setup().settings());
-  if (remembers()) QSettings().setValue("angles/radians", unit == widgets::AngleUnit::Radians);
+  if (widgets::remembers()) QSettings().setValue("angles/radians", unit == widgets::AngleUnit::Radians);
 }
 
 void SetupFeature::ask_for_nominal() {
-  const QString path = QFileDialog::getOpenFileName(&window_, tr("Nominal mounting from a result or an exported file"));
+  const QString path = widgets::ask_for_file(&window_, tr("Nominal mounting from a result or an exported file"),
+                                             widgets::FileKind::Mountings);
   if (path.isEmpty()) return;
   try {
     QStringList doubts;

@@ -10,7 +10,6 @@
 #include <memory>
 
 #include "app/gui/basics/ask_to_replace.h"
-#include "app/gui/basics/remembering.h"
 #include "app/gui/document/result_files.h"
 #include "app/gui/jobs/error_words.h"
 #include "messages/rig.h"
@@ -18,6 +17,7 @@
 #include "model/results/exporters/several_exporter.h"
 #include "model/results/exporters/vehicle_export.h"
 #include "model/results/lidar_names.h"
+#include "widgets/basics/remembering.h"
 #include "widgets/result/export_dialog.h"
 #include "widgets/text/model_text.h"
 
@@ -27,7 +27,7 @@ namespace {
 const QString kFrames = QStringLiteral("export/frames/");
 const QString kInsFrame = QStringLiteral("export/ins-frame");
 
-QString remembered(const QString& key) { return remembers() ? QSettings().value(key).toString() : QString(); }
+QString remembered(const QString& key) { return widgets::remembers() ? QSettings().value(key).toString() : QString(); }
 
 QString key_of(const std::string& lidar) {
   return kFrames + QString::fromStdString(lidar).replace('/', '|');  // which is a level of settings
@@ -75,7 +75,7 @@ class FramesForm : public QWidget {
   }
 
   void remember() const {
-    if (!remembers()) return;
+    if (!widgets::remembers()) return;
     QSettings settings;
     settings.setValue(kInsFrame, ins_->text().trimmed());
     for (const auto& [name, frame] : lidars_) settings.setValue(key_of(name), frame->text().trimmed());

@@ -16,6 +16,7 @@
 #include "messages/rig.h"
 #include "model/drive/session_frames.h"
 #include "model/project/vehicle_result.h"
+#include "widgets/basics/file_dialogs.h"
 #include "widgets/basics/rows.h"
 #include "widgets/map/map_view.h"
 #include "widgets/text/model_text.h"
@@ -215,8 +216,9 @@ void VehicleFeature::show_cross_pair(widgets::CrossPairIndex index) {
 
 void VehicleFeature::save_results() {
   if (!may_write()) return;
-  const QString path = QFileDialog::getSaveFileName(&window_, tr("Save the results of all LiDARs"), tr("vehicle.yaml"),
-                                                    tr("Results (*.yaml *.json)"));
+  const QString path =
+      widgets::ask_where_to_save(&window_, tr("Save the results of all LiDARs"), widgets::FileKind::Results,
+                                 tr("vehicle.yaml"), tr("Results (*.yaml *.json)"));
   if (path.isEmpty()) return;
   const CommonSolutionPtr common = workbench_.vehicle().common();
   window_.tell(tr("Saving the results of all LiDARs…"));
@@ -242,8 +244,8 @@ void VehicleFeature::save_results() {
 void VehicleFeature::ask_for_report() {
   if (!may_write()) return;
   const QString typed =
-      QFileDialog::getSaveFileName(&window_, tr("Save the report of all LiDARs"), tr("vehicle.html"),
-                                   tr("Web pages (*.html)"), nullptr, QFileDialog::DontConfirmOverwrite);
+      widgets::ask_where_to_save(&window_, tr("Save the report of all LiDARs"), widgets::FileKind::Reports,
+                                 tr("vehicle.html"), tr("Web pages (*.html)"), QFileDialog::DontConfirmOverwrite);
   if (typed.isEmpty()) return;
   const QString path = html_beside(typed);
   if (ask_to_replace({path}, window_)) make_vehicle_report(workbench_, path);

@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/gui/basics/remembering.h"
+#include "widgets/basics/remembering.h"
 
 namespace remount::gui {
 namespace {
@@ -21,7 +21,7 @@ QAction* KeyBindings::bind(const QString& id, QAction* action) {
 }
 
 void KeyBindings::restore() {
-  if (!remembers()) return;
+  if (!widgets::remembers()) return;
   std::vector<widgets::KeyBinding> bindings = list();
   const QSettings settings;
   for (widgets::KeyBinding& binding : bindings) {
@@ -60,7 +60,7 @@ void KeyBindings::ask() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
     apply(dialog->bindings());
-    if (!remembers()) return;
+    if (!widgets::remembers()) return;
     QSettings settings;
     for (const widgets::KeyBinding& binding : dialog->bindings())
       if (!binding.id.isEmpty())

@@ -13,9 +13,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/basics/language.h"
-#include "app/gui/basics/remembering.h"
 #include "app/gui/basics/undo_keys.h"
 #include "app/gui/workbench/steps.h"
+#include "widgets/basics/remembering.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/shrinking_area.h"
 
@@ -170,9 +170,9 @@ QString MainWindow::help_page_of(const QWidget* widget) const {
 }
 
 void MainWindow::restore_layout() {
-  if (remembers()) restoreGeometry(QSettings().value("window/geometry").toByteArray());
+  if (widgets::remembers()) restoreGeometry(QSettings().value("window/geometry").toByteArray());
   workspaces_->restore();
-  if (!remembers()) return;
+  if (!widgets::remembers()) return;
   resize(widgets::within_screen(*this, size()));  // the screen may be another
 }
 
@@ -238,7 +238,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   };
   for (const auto& feature : features_)
     if (!feature->may_close(again)) return event->ignore();
-  if (remembers()) {
+  if (widgets::remembers()) {
     full_screen_->set(false);
     QSettings().setValue("window/geometry", saveGeometry());
     workspaces_->remember();

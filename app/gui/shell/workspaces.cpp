@@ -3,7 +3,7 @@
 #include <QSettings>
 
 #include "algorithms/core/index.h"
-#include "app/gui/basics/remembering.h"
+#include "widgets/basics/remembering.h"
 
 namespace remount::gui {
 namespace {
@@ -53,7 +53,7 @@ void Workspaces::reset() {
 
 void Workspaces::restore() {
   first_ = window_.saveState(kLayoutVersion);
-  if (!remembers()) return;
+  if (!widgets::remembers()) return;
   const QSettings settings;
   kept_.states = {settings.value(kState).toByteArray(), settings.value(kReviewState).toByteArray()};
   window_.restoreState(kept_.states[index_of(Workspace::All)], kLayoutVersion);

@@ -13,6 +13,7 @@
 #include "model/formats/documents/document.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/guesses/manifest.h"
+#include "widgets/basics/file_dialogs.h"
 #include "widgets/import/import_dialog.h"
 #include "widgets/text/model_text.h"
 
@@ -260,14 +261,17 @@ void ImportController::take_log() {
 
 void ImportController::ask_for_folder() {
   const QString path = ask<QString>([this] {
-    return QFileDialog::getExistingDirectory(&dialog_, tr("Folder with scans or tables"), asked_paths_.value(0));
+    return QFileDialog::getExistingDirectory(
+        &dialog_, tr("Folder with scans or tables"),
+        asked_paths_.value(0, widgets::usual_folder(widgets::FileKind::Recordings)));
   });
   if (!path.isEmpty()) look_at(asked_paths_ + QStringList{path}, {});
 }
 
 void ImportController::ask_for_files() {
   const QStringList paths = ask<QStringList>([this] {
-    return QFileDialog::getOpenFileNames(&dialog_, tr("Tables, captures or other files"), asked_paths_.value(0));
+    return QFileDialog::getOpenFileNames(&dialog_, tr("Tables, captures or other files"),
+                                         asked_paths_.value(0, widgets::usual_folder(widgets::FileKind::Recordings)));
   });
   if (!paths.isEmpty()) look_at(asked_paths_ + paths, paths);
 }

@@ -3,10 +3,10 @@
 
 #include <QCoreApplication>
 
-namespace remount::gui {
+namespace remount::widgets {
 
 /// Layout, keys and lists are remembered for the application; a test's window, which has no organisation, leaves no
 /// trace.
 inline bool remembers() { return !QCoreApplication::organizationName().isEmpty(); }
 
-}  // namespace remount::gui
+}  // namespace remount::widgets
