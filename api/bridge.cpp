@@ -48,6 +48,20 @@ const Message& Text::message() const {
   return message_ ? *message_ : kNothing;
 }
 
+std::string_view to_string(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::Io:
+      return "io";
+    case ErrorCode::Format:
+      return "format";
+    case ErrorCode::Unsupported:
+      return "unsupported";
+    case ErrorCode::Contract:
+      break;
+  }
+  return "contract";
+}
+
 Error::Error(ErrorCode code, std::string place, Text expectation)
     : std::runtime_error((place.empty() ? place : place + ": ") + expectation.english()),
       code_(code),

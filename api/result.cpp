@@ -1,5 +1,7 @@
 #include "remount/result.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "algorithms/calibration/calibration_result.h"
@@ -9,6 +11,35 @@
 
 namespace remount::api {
 namespace {
+
+// Statuses and the like are cast: those of the interface have the values of those inside.
+template <class Outer, class Inner>
+constexpr bool are_alike(std::initializer_list<std::pair<Outer, Inner>> values) {
+  return std::ranges::all_of(
+      values, [](const auto& two) { return static_cast<int>(two.first) == static_cast<int>(two.second); });
+}
+using InnerStatus = calibration::Status;
+static_assert(are_alike<Status, InnerStatus>({{Status::Ok, InnerStatus::Ok},
+                                              {Status::Degenerate, InnerStatus::Degenerate},
+                                              {Status::TooFewPairs, InnerStatus::TooFewPairs},
+                                              {Status::TooLittleData, InnerStatus::TooLittleData},
+                                              {Status::NoUsableData, InnerStatus::NoUsableData},
+                                              {Status::NotConverged, InnerStatus::NotConverged},
+                                              {Status::OutOfRange, InnerStatus::OutOfRange},
+                                              {Status::Inconsistent, InnerStatus::Inconsistent},
+                                              {Status::Cancelled, InnerStatus::Cancelled}}));
+static_assert(are_alike<PairState, motion::PairState>({{PairState::Proposed, motion::PairState::Proposed},
+                                                       {PairState::Accepted, motion::PairState::Accepted},
+                                                       {PairState::Rejected, motion::PairState::Rejected}}));
+static_assert(are_alike<Parameter, calibration::Parameter>({{Parameter::X, calibration::Parameter::X},
+                                                            {Parameter::Y, calibration::Parameter::Y},
+                                                            {Parameter::Z, calibration::Parameter::Z},
+                                                            {Parameter::Yaw, calibration::Parameter::Yaw},
+                                                            {Parameter::Pitch, calibration::Parameter::Pitch},
+                                                            {Parameter::Roll, calibration::Parameter::Roll}}));
+static_assert(are_alike<Severity, drive::Severity>({{Severity::Note, drive::Severity::Note},
+                                                    {Severity::Warning, drive::Severity::Warning},
+                                                    {Severity::Problem, drive::Severity::Problem}}));
 
 std::optional<PairMotion> motion_of(const motion::Pair& pair, const calibration::Mounting& mounting) {
   if (!motion::unusable_reason(pair).empty()) return std::nullopt;
@@ -40,6 +71,7 @@ Pair pair_of(const results::PairRecord& record) {
 
 std::string_view to_string(Status status) { return to_string(static_cast<calibration::Status>(status)); }
 std::string_view to_string(Parameter parameter) { return to_string(static_cast<calibration::Parameter>(parameter)); }
+std::string_view to_string(Severity severity) { return to_string(static_cast<drive::Severity>(severity)); }
 std::string_view to_string(PairState state) { return results::to_string(static_cast<motion::PairState>(state)); }
 
 Result::Result(std::shared_ptr<const Inside> inside) : inside_(std::move(inside)) {}

@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
       const api::Estimate estimate = result.estimate(parameter);
       const std::string name(to_string(parameter));
       if (estimate.observed)
-        std::printf("%s %.4f +- %.4f\n", name.c_str(), estimate.value, *estimate.sigma);
+        std::printf("%s %.4f +- %.2g\n", name.c_str(), estimate.value, *estimate.sigma);
       else
         std::printf("%s: %s\n", name.c_str(), estimate.why_not_observed.english().c_str());
     }

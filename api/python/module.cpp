@@ -13,24 +13,10 @@ std::atomic<api::Language>& chosen_language() {
   return language;
 }
 
-std::string_view name_of(api::ErrorCode code) {
-  switch (code) {
-    case api::ErrorCode::Io:
-      return "io";
-    case api::ErrorCode::Format:
-      return "format";
-    case api::ErrorCode::Unsupported:
-      return "unsupported";
-    case api::ErrorCode::Contract:
-      break;
-  }
-  return "contract";
-}
-
 void raise(const api::Error& error) {
   const py::object type = py::module_::import("remount.errors").attr("Error");
   PyErr_SetObject(type.ptr(),
-                  type(std::string(name_of(error.code())), error.place(), words_of(error.expectation())).ptr());
+                  type(std::string(to_string(error.code())), error.place(), words_of(error.expectation())).ptr());
 }
 
 /// Tells of items at most twenty times a second: whoever is told is asked for Python's lock.

@@ -86,7 +86,7 @@ py::dict estimates_of(const api::Result& result) {
 std::string value_text(double value, double sigma, bool angle) {
   const double unit = angle ? 180.0 / 3.14159265358979323846 : 1.0;
   char text[64];
-  std::snprintf(text, sizeof text, "%.4f +- %.4f %s", unit * value, unit * sigma, angle ? "deg" : "m");
+  std::snprintf(text, sizeof text, "%.4f +- %.2g %s", unit * value, unit * sigma, angle ? "deg" : "m");
   return text;
 }
 
@@ -105,7 +105,7 @@ std::string result_repr(const api::Result& result) {
 std::string estimate_repr(const api::Estimate& estimate) {
   if (!estimate.observed || !estimate.sigma) return "<not observed: " + words_of(estimate.why_not_observed) + ">";
   char text[64];
-  std::snprintf(text, sizeof text, "<%.5f +- %.5f>", estimate.value, *estimate.sigma);
+  std::snprintf(text, sizeof text, "<%.5f +- %.2g>", estimate.value, *estimate.sigma);
   return text;
 }
 

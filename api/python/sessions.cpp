@@ -10,11 +10,6 @@ namespace {
 using Stamps = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 using Stack = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-std::string_view severity_name(api::Severity severity) {
-  constexpr std::array<std::string_view, 3> kNames{"note", "warning", "problem"};
-  return kNames.at(static_cast<std::size_t>(severity));
-}
-
 std::vector<api::Pose> poses_of(const std::pair<Stamps, Stack>& given, const std::string& name) {
   const std::vector<api::Matrix4> matrices = unstacked(given.second, name);
   if (given.first.ndim() != 1 || static_cast<std::size_t>(given.first.size()) != matrices.size())
@@ -156,12 +151,12 @@ std::string session_repr(const api::Session& session) {
 
 void add_values(py::module_& module) {
   py::class_<api::Finding>(module, "Finding")
-      .def_property_readonly("severity", [](const api::Finding& finding) { return severity_name(finding.severity); })
+      .def_property_readonly("severity", [](const api::Finding& finding) { return to_string(finding.severity); })
       .def_readonly("code", &api::Finding::code)
       .def_property_readonly("place", [](const api::Finding& finding) { return words_of(finding.place); })
       .def_property_readonly("explanation", [](const api::Finding& finding) { return words_of(finding.explanation); })
       .def("__repr__", [](const api::Finding& finding) {
-        return "<" + std::string(severity_name(finding.severity)) + " " + finding.code + ": " +
+        return "<" + std::string(to_string(finding.severity)) + " " + finding.code + ": " +
                words_of(finding.explanation) + ">";
       });
   py::class_<api::Stream>(module, "Stream")

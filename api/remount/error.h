@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "remount/text.h"
 
@@ -15,6 +16,7 @@ enum class ErrorCode {
   Unsupported,  ///< valid, but not something that Remount reads or does
   Contract,     ///< a documented condition was broken, or a setting is out of range
 };
+std::string_view to_string(ErrorCode code);  ///< "io", "format", "unsupported", "contract"
 
 /// Seen by whoever catches it, also where a program hides what it has.
 class [[gnu::visibility("default")]] Error : public std::runtime_error {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "remount/matrices.h"
@@ -24,6 +25,7 @@ struct Session;
 namespace remount::api {
 
 enum class Severity { Note, Warning, Problem };
+std::string_view to_string(Severity severity);  ///< "warning": as in files
 
 /// What is suspicious about data or a result.
 struct Finding {
