@@ -44,14 +44,15 @@ std::vector<std::size_t> attitude_columns(const SampledTable& table, const Colum
   return columns;
 }
 
-/// Some twenty rows a second, which are enough for directions, of those that have a value in all of the columns: a log
-/// may give attitudes in every fifth row, and of these none is to be missed.
-std::vector<std::size_t> rows_of(const SampledTable& table, const TimeReading& time,
+/// Some twenty rows a second, which are enough for directions, of those that have a position and a value in all of the
+/// columns: a log may give either in every fifth row, and of these none is to be missed.
+std::vector<std::size_t> rows_of(const SampledTable& table, const TimeReading& time, const PositionReading& position,
                                  const std::vector<std::size_t>& columns) {
   constexpr double kEnough_hz = 20.0;
   std::vector<std::size_t> filled, rows;
   for (std::size_t row = 0; row < time.times_s.size(); ++row)
-    if (std::ranges::all_of(columns, [&](std::size_t i) { return std::isfinite(table.columns[i].values[row]); }))
+    if (position.metres[row].allFinite() &&
+        std::ranges::all_of(columns, [&](std::size_t i) { return std::isfinite(table.columns[i].values[row]); }))
       filled.push_back(row);
   const double span_s = time.last_s - time.first_s;
   const double rate_hz = span_s > 0.0 ? static_cast<double>(filled.size()) / span_s : 0.0;
@@ -120,8 +121,8 @@ void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis
   if (one.attitude.quaternion || one.fit.slope != SlopeFit::Opposite) return;
   Hypothesis other = one;
   other.attitude.signs[1] = -other.attitude.signs[1];
-  other.fit =
-      travel_fit(poses_of(table, time, *one.position, other.attitude, rows_of(table, time, other.attitude.columns())));
+  other.fit = travel_fit(poses_of(table, time, *one.position, other.attitude,
+                                  rows_of(table, time, *one.position, other.attitude.columns())));
   if (other.fit.slope == SlopeFit::Agrees) one = std::move(other);
 }
 
@@ -144,7 +145,8 @@ std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNam
   for (const PositionReading& position : positions)
     for (AttitudeReading& attitude : attitude_readings(table, names, time, position))
       out.push_back({&position, std::move(attitude), {}, 0.0});
-  const std::vector<std::size_t> rows = rows_of(table, time, attitude_columns(table, names));
+  const std::vector<std::size_t> attitudes = attitude_columns(table, names);
+  const auto rows = [&](const PositionReading& position) { return rows_of(table, time, position, attitudes); };
   const auto fit = [&](const PositionReading& position, const std::vector<std::size_t>& some) {
     for (Hypothesis& one : out) {
       if (one.position != &position || progress.cancelled()) continue;
@@ -156,14 +158,14 @@ std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNam
   if (out.size() > kMany) {
     bool all_rows = true;
     for (const PositionReading& position : positions) {
-      const std::vector<std::size_t> some = some_stretches(rows, position.metres);
-      all_rows = all_rows && some.size() == rows.size();
+      const std::vector<std::size_t> all = rows(position), some = some_stretches(all, position.metres);
+      all_rows = all_rows && some.size() == all.size();
       fit(position, some);
     }
     out = likeliest_of(std::move(out));
     if (all_rows) return out;
   }
-  for (const PositionReading& position : positions) fit(position, rows);
+  for (const PositionReading& position : positions) fit(position, rows(position));
   return out;
 }
 

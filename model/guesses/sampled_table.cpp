@@ -41,7 +41,7 @@ std::optional<double> number_with_comma(std::string_view field) {
 
 std::optional<double> number_of(std::string_view field, const TableText& text) {
   if (const auto number = formats::parse_any_number(field)) return number;
-  if (const auto number = formats::parse_labelled_number(field)) return number;
+  if (const auto number = formats::parse_labelled_number(field)) return number->signed_value();
   return text.decimal_commas ? number_with_comma(field) : std::nullopt;
 }
 
@@ -193,6 +193,7 @@ double value_of(std::string_view field, const TableText& text, DateOrder order) 
 struct ColumnCounts {
   std::size_t numbers = 0, whole = 0, dates = 0, days = 0, clocks = 0;
   std::size_t none = 0;                   ///< without a value
+  std::size_t degrees = 0, metres = 0;    ///< that stand behind numbers
   std::array<std::size_t, 3> of_order{};  ///< dates and days
   std::size_t points = 0;                 ///< of these, that have points between day, month and year
   std::set<std::string> texts;
@@ -217,6 +218,9 @@ void count_field(std::string_view field, const TableText& text, ColumnCounts& co
   if (number_of(field, text)) {
     ++counts.numbers;
     counts.whole += formats::parse_integer(field).has_value();
+    const auto labelled = formats::parse_labelled_number(field);
+    counts.degrees += labelled && labelled->unit == "deg";
+    counts.metres += labelled && labelled->unit == "m";
   } else if (is_clock(field)) {
     ++counts.clocks;
   } else {
@@ -280,6 +284,8 @@ void take_values(std::string_view text, const Parting& parting, std::size_t firs
     };
     table.columns[i].numeric = nearly_all(counts[i].numbers);
     table.columns[i].whole = table.columns[i].numeric && counts[i].whole >= counts[i].numbers;
+    if (table.columns[i].unit.empty())
+      table.columns[i].unit = nearly_all(counts[i].degrees) ? "deg" : nearly_all(counts[i].metres) ? "m" : "";
     table.columns[i].varies = counts[i].texts.size() > 1;
     table.columns[i].date = nearly_all(counts[i].dates);
     table.columns[i].day = nearly_all(counts[i].days);

@@ -14,8 +14,8 @@ namespace remount::guesses {
 
 struct SampledColumn {
   std::size_t index = 0;
-  std::string title;           ///< as it stands above the column: "Lat (deg)"; empty where nothing does
-  std::string unit;            ///< of a line of units below the titles; empty where there is none
+  std::string title;  ///< as it stands above the column: "Lat (deg)"; empty where nothing does
+  std::string unit;   ///< of a line of units below the titles, or behind its numbers; empty where there is none
   std::vector<double> values;  ///< NaN where the field is no number; of a date its seconds since 1970
   bool numeric = false;        ///< nearly all are numbers
   bool whole = false;          ///< and whole ones

@@ -115,15 +115,20 @@ Message DeclaredRows::label(const ColumnRef& column) const {
   return column.name.empty() ? say::ins_column(column.index) : Message::verbatim(column.name);
 }
 
-double DeclaredRows::number(const ColumnRef& column) const {
+LabelledNumber DeclaredRows::labelled(const ColumnRef& column, std::string_view unit) const {
   const std::string_view text = field(column);
   if (is_no_value(text)) fail(say::table_no_value(label(column)));
-  const std::optional<double> labelled = parse_labelled_number(text);
-  const double value = labelled ? *labelled
-                                : require_number(
-                                      text, [&] { return label(column); }, path_, line_number());
-  if (text_.no_value == value) fail(say::log_not_known(label(column), std::string(text.substr(0, 40))));
-  return value;
+  const std::optional<LabelledNumber> number = parse_labelled_number(text);
+  if (!number || !(number->unit.empty() || number->unit == unit))
+    fail_number(text, label(column), path_, line_number());
+  if (text_.no_value == number->value) fail(say::log_not_known(label(column), std::string(text.substr(0, 40))));
+  return *number;
+}
+
+double DeclaredRows::number(const ColumnRef& column, std::string_view unit) const {
+  const LabelledNumber number = labelled(column, unit);
+  if (number.side != '\0') fail_number(field(column), label(column), path_, line_number());
+  return number.value;
 }
 
 /// Of parts that are whole numbers, and seconds with whatever is a fraction of them.

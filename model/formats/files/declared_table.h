@@ -84,7 +84,10 @@ class DeclaredRows {
   /// Parts the line, and throws Error(Format) where it has more fields than columns.
   void part();
   std::string_view field(const ColumnRef& column) const;
-  double number(const ColumnRef& column) const;
+  /// @param unit that may stand behind it ("deg", "m"); another one there would be another number
+  double number(const ColumnRef& column, std::string_view unit = {}) const;
+  /// Also with the letter of a side behind it.
+  LabelledNumber labelled(const ColumnRef& column, std::string_view unit) const;
   Message label(const ColumnRef& column) const;
   /// UTC; of week 0 where the week is open. Throws Error(Format).
   std::int64_t stamp_ns();

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "messages/files.h"
@@ -188,20 +189,22 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::optional<double> parse_any_number(std::string_view text) { return parse_double(trim(text)); }
 
-std::optional<double> parse_labelled_number(std::string_view text) {
+std::optional<LabelledNumber> parse_labelled_number(std::string_view text) {
   static constexpr std::string_view kDegreeSigns[] = {"\xc2\xb0", "\xb0", "deg"};  // UTF-8, Latin-1
   text = trim(text);
   const std::size_t end = text.find_last_of("0123456789.") + 1;  // 0 where there is no digit at all
-  std::string_view label = trim(text.substr(end));
-  bool is_angle = false;
-  for (const std::string_view sign : kDegreeSigns)
-    if (!is_angle && label.starts_with(sign)) is_angle = true, label = trim(label.substr(sign.size()));
-  const bool negative = label == "S" || label == "W";
-  const bool is_side = negative || label == "N" || label == "E";
-  if (!label.empty() && !is_side && (is_angle || (label != "m" && label != "m/s"))) return std::nullopt;
   const std::optional<double> value = parse_number(text.substr(0, end));
-  if (value && is_side && std::signbit(*value)) return std::nullopt;  // "-48.1 S" may be either
-  return value && negative ? -*value : value;
+  if (!value) return std::nullopt;
+  LabelledNumber number{*value, {}, '\0'};
+  std::string_view label = trim(text.substr(end));
+  for (const std::string_view sign : kDegreeSigns)
+    if (number.unit.empty() && label.starts_with(sign)) number.unit = "deg", label = trim(label.substr(sign.size()));
+  if (number.unit.empty() && (label == "m" || label == "m/s")) number.unit = std::exchange(label, {});
+  if (label.size() == 1 && std::string_view("NSEW").find(label[0]) != std::string_view::npos) {
+    if (std::signbit(*value)) return std::nullopt;  // "-48.1 S" may be either
+    number.side = std::exchange(label, {})[0];
+  }
+  return label.empty() ? std::optional(number) : std::nullopt;
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {

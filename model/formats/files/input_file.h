@@ -75,9 +75,16 @@ std::size_t filled_fields(const std::vector<std::string_view>& fields);
 /// The whole text as a number, or nothing. "nan" and "inf" are numbers only to parse_any_number.
 std::optional<double> parse_number(std::string_view text);
 std::optional<double> parse_any_number(std::string_view text);
-/// With what instruments write behind a number: "250.1 m", "12.5 deg", "48.1° N"; negative for S and W. Nothing where
-/// something else stands there: a unit that changes the value is declared of the column.
-std::optional<double> parse_labelled_number(std::string_view text);
+/// A number with what instruments write behind it: "250.1 m", "12.5 deg", "48.1° N".
+struct LabelledNumber {
+  double value = 0.0;     ///< as it stands; not negative where a side stands behind it
+  std::string_view unit;  ///< "deg", "m" or "m/s"; empty where none stands
+  char side = '\0';       ///< 'N', 'S', 'E' or 'W'
+
+  double signed_value() const { return side == 'S' || side == 'W' ? -value : value; }
+};
+/// Also of a number alone. Nothing where anything else stands there.
+std::optional<LabelledNumber> parse_labelled_number(std::string_view text);
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
 /// What tables write where a value was not known: nothing, "nan", "N/A", "-", "null". One list for all that read

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -27,6 +28,12 @@ inline std::string rounded_text(double value, int decimals) {
   std::string text = format_numbers("%.*f", decimals, value);
   if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
   return text;
+}
+
+/// A sigma, which is never nothing: "0.0012", "< 0.0001" where it rounds to zero.
+inline std::string spread_text(double spread, int decimals) {
+  const double least = std::pow(10.0, -decimals);
+  return spread > 0.0 && spread < 0.5 * least ? "< " + rounded_text(least, decimals) : rounded_text(spread, decimals);
 }
 
 }  // namespace remount::formats

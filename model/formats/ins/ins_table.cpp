@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algorithms/core/index.h"
+#include "algorithms/geometry/degree.h"
 #include "messages/files.h"
 #include "messages/ins_logs.h"
 #include "messages/sessions.h"
@@ -46,7 +47,7 @@ class RowParser {
     rows_.part();
     const std::int64_t stamp_ns = rows_.stamp_ns();
     Eigen::Vector3d position_m;
-    for (int axis = 0; axis < 3; ++axis) position_m[axis] = known((*layout_.metric_position)[index_at(axis)]);
+    for (int axis = 0; axis < 3; ++axis) position_m[axis] = known_m((*layout_.metric_position)[index_at(axis)]);
     if (layout_.metric_down) position_m.z() = -position_m.z();
     if (!(position_m.cwiseAbs().maxCoeff() < conventions::kFarthestPosition_m)) rows_.fail(say::log_place_impossible());
     const Eigen::Quaterniond world_from_ins = layout_.quaternion ? quaternion() : attitude();
@@ -58,14 +59,14 @@ class RowParser {
     const auto& [latitude_sign, longitude_sign] = layout_.place_signs;
     sample.latitude_rad = latitude_sign * place(layout_.latitude, layout_.latitude_side, {'N', 'S'});
     sample.longitude_rad = longitude_sign * place(layout_.longitude, layout_.longitude_side, {'E', 'W'});
-    sample.height_m = known(layout_.height);
+    sample.height_m = known_m(layout_.height);
     if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
       rows_.fail(drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
                      ? say::log_place_exchanged(Angle{kPi / 2.0})
                      : say::log_place_impossible());
     if (layout_.position_sigma_enu)
       for (int axis = 0; axis < 3; ++axis)
-        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[index_at(axis)]);
+        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[index_at(axis)], "m");
   }
   void take_attitude(motion::InsSample& sample) {
     sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
@@ -73,29 +74,37 @@ class RowParser {
       sample.sigma.attitude_rad = attitude_sigma(*layout_.attitude_sigma_yaw_pitch_roll);
   }
 
-  /// A number that is none of those which stand for a missing one.
-  double known(const ColumnRef& column) const {
-    const double value = rows_.number(column);
+  /// A number of metres that is none of those which stand for a missing one.
+  double known_m(const ColumnRef& column) const {
+    const double value = rows_.number(column, "m");
     if (drive::means_not_known(value)) fail_not_known(column);
     return value;
   }
   /// @param letters of the side on which angles are positive, and of the other
   double place(const ColumnRef& column, const std::optional<ColumnRef>& side, std::pair<char, char> letters) const {
+    const LabelledNumber written = rows_.labelled(column, layout_.position_unit == PlaceUnit::Degrees ? "deg" : "");
     // Whole numbers are as large as those that elsewhere stand for a missing one; what is none lies far from the
     // others.
-    const bool large = layout_.position_unit == PlaceUnit::TenMillionths;
-    const double number = large ? rows_.number(column) : known(column),
-                 angle_rad = place_rad(number, layout_.position_unit);
-    if (std::isnan(angle_rad)) rows_.fail(say::ins_minutes(rows_.label(column), minutes_of_place(number)));
+    if (layout_.position_unit != PlaceUnit::TenMillionths && drive::means_not_known(written.value))
+      fail_not_known(column);
+    const double angle_rad = place_rad(written.value, layout_.position_unit);
+    if (std::isnan(angle_rad)) rows_.fail(say::ins_minutes(rows_.label(column), minutes_of_place(written.value)));
+    if (written.side != '\0') return on_side(angle_rad, written.side, column, letters);
     if (!side) return angle_rad;
-    const std::string text(trim(rows_.field(*side)).substr(0, 40));
-    const char letter = text.size() == 1 ? static_cast<char>(text[0] & ~0x20) : '\0';
+    const std::string_view text = trim(rows_.field(*side));
+    return on_side(angle_rad, text.size() == 1 ? static_cast<char>(text[0] & ~0x20) : '\0', *side, letters);
+  }
+  /// @param stated where the letter stands
+  double on_side(double angle_rad, char letter, const ColumnRef& stated, std::pair<char, char> letters) const {
     if (letter != letters.first && letter != letters.second)
-      rows_.fail(say::ins_side(rows_.label(*side), text, std::string{letters.first}, std::string{letters.second}));
+      rows_.fail(say::ins_side(rows_.label(stated), std::string(trim(rows_.field(stated)).substr(0, 40)),
+                               std::string{letters.first}, std::string{letters.second}));
     return letter == letters.first ? angle_rad : -std::abs(angle_rad);
   }
+  /// Which may stand behind the angles of an attitude.
+  std::string_view attitude_label() const { return layout_.attitude_unit_rad == kDegree_rad ? "deg" : ""; }
   double angle(const ColumnRef& column) const {
-    const double value = rows_.number(column);
+    const double value = rows_.number(column, attitude_label());
     if (drive::angle_means_not_known(value)) fail_not_known(column);
     return value;
   }
@@ -103,10 +112,12 @@ class RowParser {
     rows_.fail(say::log_not_known(rows_.label(column), std::string(rows_.field(column).substr(0, 40))));
   }
   /// An empty field, nan or a number that stands for a missing one: this line does not state it.
-  double sigma(const ColumnRef& column) const {
-    const auto value = parse_number(rows_.field(column));
-    const bool stated = value && *value > 0.0 && !drive::means_not_known(*value) && layout_.text.no_value != *value;
-    return stated ? *value : std::numeric_limits<double>::quiet_NaN();
+  double sigma(const ColumnRef& column, std::string_view unit) const {
+    const auto written = parse_labelled_number(rows_.field(column));
+    const bool stated = written && written->side == '\0' && (written->unit.empty() || written->unit == unit) &&
+                        written->value > 0.0 && !drive::means_not_known(written->value) &&
+                        layout_.text.no_value != written->value;
+    return stated ? written->value : std::numeric_limits<double>::quiet_NaN();
   }
 
   Eigen::Quaterniond attitude() {
@@ -120,7 +131,10 @@ class RowParser {
 
   Eigen::Vector3d attitude_sigma(const std::array<ColumnRef, 3>& columns) const {
     const double unit = layout_.quaternion ? 1.0 : layout_.attitude_unit_rad;
-    return drive::axis_sigma_rad({sigma(columns[0]) * unit, sigma(columns[1]) * unit, sigma(columns[2]) * unit},
+    const auto sigma_rad = [&](std::size_t i) {
+      return unit * sigma(columns[i], layout_.quaternion ? "" : attitude_label());
+    };
+    return drive::axis_sigma_rad({sigma_rad(0), sigma_rad(1), sigma_rad(2)},
                                  layout_.quaternion ? drive::AttitudeConvention::EnuYaw : layout_.attitude);
   }
 

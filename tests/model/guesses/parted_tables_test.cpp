@@ -137,6 +137,21 @@ TEST_F(parted_tables, in_one_whose_attitudes_stand_in_every_fifth_row_are_read_t
   EXPECT_LT(off_rad, 1e-7);
 }
 
+/// Likewise of a receiver that solves for positions less often.
+TEST_F(parted_tables, in_one_whose_positions_stand_in_every_fifth_row_are_read_there) {
+  write_rows(folder_.path() / "motion.csv", "time_ns" + std::string(kGeodeticHead),
+             [](std::size_t i, const WrittenSample& sample) {
+               const Fields place = i % 5 == 3 ? place_deg(sample) : Fields{"", "", ""};
+               return joined({std::to_string(sample.ins.stamp_ns)}, joined(place, angles(heading_angles(sample))));
+             });
+  const Description found = described({folder_.path()});
+  ASSERT_TRUE(found.ins) << (found.missing.empty() ? "" : english(found.missing.front()));
+  EXPECT_EQ(guess_of(found, GuessKind::Attitude)->sureness, Sureness::Checked);
+  const auto [off_m, off_rad] = errors_of(opened(found, folder_.path()));
+  EXPECT_LT(off_m, 1e-5);
+  EXPECT_LT(off_rad, 1e-7);
+}
+
 TEST_F(parted_tables, give_way_to_a_table_that_has_all) {
   write_parts(2, 1);
   folder_.write("motion.txt", table_text(layouts().front(), *samples_));

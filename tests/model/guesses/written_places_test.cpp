@@ -132,6 +132,41 @@ TEST_F(written_places, with_letters_and_degree_signs_behind_the_numbers_are_read
   EXPECT_LT(off_m, 1e-3);
 }
 
+/// What stands behind the numbers is their unit, as what stands in a title is: angles as small are radians elsewhere.
+TEST_F(written_places, a_unit_behind_the_numbers_is_that_of_the_column) {
+  std::vector<WrittenSample> samples = *samples_;
+  const auto write = [&](const std::string& label) {
+    write_rows(
+        folder_.path() / "motion.csv", "time_ns,lat,lon,h,roll,pitch,heading\n",
+        [&](std::size_t, const WrittenSample& sample) {
+          Fields row = joined({std::to_string(sample.ins.stamp_ns)}, place_deg(sample));
+          row[3] += " m";
+          for (std::string angle : angles(heading_angles(sample))) row.push_back(angle + label);
+          return row;
+        },
+        samples);
+  };
+  write(" deg");
+  const Description found = described({folder_.path()});
+  ASSERT_TRUE(found.complete()) << (found.missing.empty() ? "" : english(found.missing.front()));
+  const drive::Session session = opened(found, folder_.path());
+  EXPECT_LT(farthest_m(session, samples), 1e-3);
+  EXPECT_LT(motions_apart(session, *session_), 1e-4);
+  // A manifest that says otherwise than the rows: nothing is read as what it is not.
+  std::string manifest = formats::bytes_of(folder_.path() / "session.yaml");
+  const std::size_t at = manifest.find("unit: deg", manifest.find("attitude"));
+  ASSERT_NE(at, std::string::npos) << manifest;
+  folder_.write("session.yaml", manifest.replace(at, 9, "unit: rad"));
+  Progress progress;
+  try {
+    const drive::Session wrong = formats::open_session(folder_.path() / "session.yaml", progress);
+    EXPECT_TRUE(wrong.ins.empty()) << "degrees were read as radians";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("deg"), std::string::npos) << error.what();
+    std::cout << error.what() << "\n";
+  }
+}
+
 TEST_F(written_places, in_small_parts_of_a_degree_are_told_where_nothing_else_fits) {
   const auto place = [](const WrittenSample& s) {
     return Fields{small_text(s.ins.latitude_rad), small_text(s.ins.longitude_rad)};

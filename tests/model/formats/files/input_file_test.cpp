@@ -23,15 +23,28 @@ TEST(input_file, numbers_are_strict_and_finite) {
 }
 
 TEST(input_file, numbers_may_have_behind_them_what_instruments_write) {
-  EXPECT_EQ(parse_labelled_number(" 250.1 m "), 250.1);
-  EXPECT_EQ(parse_labelled_number("-3.5m/s"), -3.5);
-  EXPECT_EQ(parse_labelled_number("12.5 deg"), 12.5);
-  EXPECT_EQ(parse_labelled_number("48.125\xc2\xb0 N"), 48.125);
-  EXPECT_EQ(parse_labelled_number("48.125\xb0S"), -48.125);
-  EXPECT_EQ(parse_labelled_number("0.5W"), -0.5);
-  EXPECT_EQ(parse_labelled_number("1e-3"), 1e-3);
+  struct Case {
+    const char* text;
+    double value;
+    const char* unit;
+    char side;
+  };
+  for (const Case& one : {Case{" 250.1 m ", 250.1, "m", '\0'},
+                          {"-3.5m/s", -3.5, "m/s", '\0'},
+                          {"12.5 deg", 12.5, "deg", '\0'},
+                          {"48.125\xc2\xb0 N", 48.125, "deg", 'N'},
+                          {"48.125\xb0S", 48.125, "deg", 'S'},
+                          {"4807.038W", 4807.038, "", 'W'},
+                          {"1e-3", 1e-3, "", '\0'}}) {
+    const auto number = parse_labelled_number(one.text);
+    ASSERT_TRUE(number) << one.text;
+    EXPECT_EQ(number->value, one.value) << one.text;
+    EXPECT_EQ(number->unit, one.unit) << one.text;
+    EXPECT_EQ(number->side, one.side) << one.text;
+  }
+  EXPECT_EQ(parse_labelled_number("0.5W")->signed_value(), -0.5);
   for (const char* text :
-       {"", "m", "N", "1.5 mm", "1.5 km/h", "-48.1 S", "48.1 NE", "12.5 deg m", "1.5x", "nan", "1,5 m"})
+       {"", "m", "N", "1.5 mm", "1.5 km/h", "-48.1 S", "48.1 NE", "12.5 deg m", "1.5x", "nan", "1,5 m", "2 S m"})
     EXPECT_FALSE(parse_labelled_number(text)) << text;
 }
 
