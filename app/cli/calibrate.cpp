@@ -24,6 +24,7 @@
 #include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/number_text.h"
 #include "model/method_registry/calibration_method.h"
 #include "model/methods/trajectory/trajectory_method.h"
 #include "model/project/holder_lock.h"
@@ -54,7 +55,6 @@ Message line_of(const calibration::TrajectorySnapshot& snapshot) {
   const calibration::PerParameter<double> values = calibration::parameters_of(snapshot.mounting.reference_from_sensor);
   const bool of_antenna = snapshot.mounting.reference == calibration::BodyFrame::Antenna;
   std::vector<std::string> seen, open;
-  char text[96];
   for (const calibration::Parameter parameter : calibration::kParameters) {
     const std::string name(to_string(parameter));
     const bool angle = calibration::is_angle(parameter);
@@ -64,9 +64,8 @@ Message line_of(const calibration::TrajectorySnapshot& snapshot) {
       continue;
     }
     const double unit = angle ? 180.0 / kPi : 1.0;
-    std::snprintf(text, sizeof text, "%s %.4f +-%.4f %s", name.c_str(), unit * values[parameter], unit * *sigma,
-                  angle ? "deg" : "m");
-    seen.emplace_back(text);
+    seen.push_back(name + " " + formats::rounded_text(unit * values[parameter], 4) + " +-" +
+                   formats::spread_text(unit * *sigma, 4) + (angle ? " deg" : " m"));
   }
   Message parts = open.empty()   ? say::cli_seen(seen)
                   : seen.empty() ? say::cli_not_observed(open)

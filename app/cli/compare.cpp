@@ -13,6 +13,7 @@
 #include "messages/report.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/number_text.h"
 #include "model/report/vehicle_comparison.h"
 #include "model/results/display_units.h"
 
@@ -24,12 +25,11 @@ constexpr std::size_t kColumn = 22;
 std::string value_of(const calibration::CalibrationResult& result, calibration::Parameter i, const Console& console) {
   const auto sigma = result.estimate(i).sigma;
   if (!calibration::is_usable(result) || !sigma) return padded(console.words(say::report_not_observed()), kColumn);
-  char text[64];
   const double shown = results::on_screen(i, *sigma);
   const int decimals = results::justified_decimals(shown);
-  std::snprintf(text, sizeof(text), "%.*f +- %.*f", decimals,
-                results::six_on_screen(result.mounting.reference_from_sensor)[i], decimals, shown);
-  return padded(text, kColumn);
+  return padded(formats::rounded_text(results::six_on_screen(result.mounting.reference_from_sensor)[i], decimals) +
+                    " +- " + formats::spread_text(shown, decimals),
+                kColumn);
 }
 
 std::string table(const std::vector<report::NamedResult>& results, const Console& console) {

@@ -139,15 +139,16 @@ void Page::write_parameters() {
       const double given = results::six_on_screen(*file_.nominal_ins_from_lidar)[i];
       double moved = values[i] - given;
       if (calibration::is_angle(i)) moved = radians_to_degrees(wrap_angle_rad(degrees_to_radians(moved)));
-      nominal = number("%.4f", given) + unit;
-      if (results::has_mounting(result_)) change = number("%+.4f", moved) + unit;
+      nominal = formats::rounded_text(given, 4) + unit;
+      if (results::has_mounting(result_)) change = (moved > 0.0 ? "+" : "") + formats::rounded_text(moved, 4) + unit;
     }
     row({parameter(i) + (estimate.measured ? " *" : ""),
-         results::has_mounting(result_) ? number("%.4f", values[i]) + unit : "–",
-         estimate.sigma ? "± " + number("%.4f", results::on_screen(i, *estimate.sigma)) + unit
+         results::has_mounting(result_) ? formats::rounded_text(values[i], 4) + unit : "–",
+         estimate.sigma ? "± " + formats::spread_text(results::on_screen(i, *estimate.sigma), 4) + unit
                         : words(say::report_not_observed()),
-         estimate.bootstrap_sigma > 0.0 ? "± " + number("%.4f", results::on_screen(i, *estimate.bootstrap_sigma)) + unit
-                                        : "–",
+         estimate.bootstrap_sigma > 0.0
+             ? "± " + formats::spread_text(results::on_screen(i, *estimate.bootstrap_sigma), 4) + unit
+             : "–",
          nominal, change});
   }
   end_table();

@@ -31,7 +31,7 @@ class VehiclePart {
     const double shown = results::on_screen(parameter, *sigma);
     const int decimals = results::justified_decimals(shown);
     return formats::rounded_text(results::six_on_screen(two.lidar_a_from_lidar_b)[parameter], decimals) + " ± " +
-           formats::rounded_text(shown, decimals) + (calibration::is_angle(parameter) ? " °" : " m");
+           formats::spread_text(shown, decimals) + (calibration::is_angle(parameter) ? " °" : " m");
   }
 
   void row(const std::vector<std::string>& cells, const std::string& tag) {

@@ -4711,10 +4711,6 @@ not observed</source>
         <translation>不可观测</translation>
     </message>
     <message>
-        <source>Bootstrap over blocks of time: ± %1</source>
-        <translation>按时间块重采样：± %1</translation>
-    </message>
-    <message>
         <source>From the information of the solution</source>
         <translation>来自解的信息矩阵</translation>
     </message>
@@ -4875,6 +4871,10 @@ not observed</source>
     <message>
         <source>The clocks of LiDAR and INS differ, and X is biased by it; solve X with the offset that was found</source>
         <translation>激光雷达与 INS 的时钟不一致，X 因此有偏；点击则按所发现的偏差求解 X</translation>
+    </message>
+    <message>
+        <source>Bootstrap over blocks of time: %1</source>
+        <translation>按时间块重采样：%1</translation>
     </message>
 </context>
 <context>

@@ -20,9 +20,8 @@ TableCell value_cell(const calibration::CalibrationResult& result, calibration::
   const auto sigma = result.estimate(i).sigma;
   if (!calibration::is_usable(result) || !sigma) return unknown_cell(ComparisonView::tr("not observed"));
   const int decimals = results::justified_decimals(results::on_screen(i, *sigma));
-  return {QStringLiteral("%1 ± %2")
-              .arg(results::six_on_screen(result.mounting.reference_from_sensor)[i], 0, 'f', decimals)
-              .arg(results::on_screen(i, *sigma), 0, 'f', decimals),
+  return {rounded_text(results::six_on_screen(result.mounting.reference_from_sensor)[i], decimals) + QLatin1Char(' ') +
+              spread_text(results::on_screen(i, *sigma), decimals),
           ComparisonView::tr("± 1 sigma"), Verdict::Neutral};
 }
 

@@ -79,7 +79,7 @@ QString result_as_text(const calibration::CalibrationResult& result) {
     lines << QStringLiteral("%1 = %2%3 %4")
                  .arg(parameter_name(i))
                  .arg(rounded_text(values[i], 4))
-                 .arg(unit_suffix(i), sigma ? spread_text(i, results::on_screen(i, *sigma), 4)
+                 .arg(unit_suffix(i), sigma ? spread_text(results::on_screen(i, *sigma), 4) + unit_suffix(i)
                                             : ResultPanel::tr("(not observed: do not rely on it)"));
   }
   return lines.join('\n');
@@ -285,15 +285,15 @@ void ResultPanel::show_parameters(const calibration::CalibrationResult& result, 
     const double spread = sigma ? results::on_screen(i, *sigma) : 0.0;
     const double bootstrap = results::on_screen(i, estimate.bootstrap_sigma.value_or(0.0));
     row.sigma->setText(!numbers ? QString()
-                       : sigma  ? spread_text(i, spread, 4) + (estimate.measured ? QStringLiteral(" *") : QString())
-                                : tr("not observed"));
+                       : sigma  ? spread_text(spread, 4) + unit_suffix(i) +
+                                     (estimate.measured ? QStringLiteral(" *") : QString())
+                               : tr("not observed"));
     set_style(*row.sigma,
               sigma || !numbers ? Style([](const QPalette&) { return QString(); }) : text_in(warning_color));
     row.sigma->setToolTip(
         sigma || !numbers
-            ? (bootstrap > 0.0
-                   ? tr("Bootstrap over blocks of time: ± %1").arg(QString::number(bootstrap, 'f', 4) + unit_suffix(i))
-                   : tr("From the information of the solution"))
+            ? (bootstrap > 0.0 ? tr("Bootstrap over blocks of time: %1").arg(spread_text(bootstrap, 4) + unit_suffix(i))
+                               : tr("From the information of the solution"))
             : tr("This drive says nothing about it: do not rely on the value shown"));
     double change = values[i] - old[i];
     if (calibration::is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));

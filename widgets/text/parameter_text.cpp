@@ -25,13 +25,8 @@ QString unit_suffix(calibration::Parameter parameter) {
   return calibration::is_angle(parameter) ? QStringLiteral("°") : QStringLiteral(" m");
 }
 
-QString spread_text(calibration::Parameter parameter, double spread, int decimals) {
-  const double least = std::pow(10.0, -decimals);
-  const bool none = spread > 0.0 && spread < 0.5 * least;
-  return QStringLiteral("± ") +
-         (none ? QStringLiteral("< ") + QString::number(least, 'f', decimals)
-               : QString::number(spread, 'f', decimals)) +
-         unit_suffix(parameter);
+QString spread_text(double spread, int decimals) {
+  return QStringLiteral("± ") + QString::fromStdString(formats::spread_text(spread, decimals));
 }
 
 QString moved_text(calibration::Parameter parameter, double change) {

@@ -9,8 +9,8 @@ namespace remount::widgets {
 
 /// So many decimals, and no sign before what rounds to zero.
 QString rounded_text(double value, int decimals);
-/// "± 0.0012 m"; "± < 0.0001 m" where it rounds to nothing, which no sigma is.
-QString spread_text(calibration::Parameter parameter, double spread, int decimals);
+/// "± 0.0012"; "± < 0.0001" where it rounds to nothing, which no sigma is.
+QString spread_text(double spread, int decimals);
 /// "x", "yaw", in the language of the window.
 QString parameter_name(calibration::Parameter parameter);
 /// "x, yaw"; empty for none.

@@ -108,7 +108,7 @@ QString LidarTableModel::number(const LidarEntry& lidar, calibration::Parameter 
   const double value = results::six_on_screen(shown->mounting)[parameter];
   const double sigma = results::on_screen(parameter, *shown->sigma[parameter]);
   const int decimals = std::clamp(results::justified_decimals(sigma), 3, 4);
-  return QStringLiteral("%1\n± %2").arg(rounded_text(value, decimals), rounded_text(sigma, decimals));
+  return QStringLiteral("%1\n%2").arg(rounded_text(value, decimals), spread_text(sigma, decimals));
 }
 
 QVariant LidarTableModel::data(const QModelIndex& index, int role) const {

@@ -64,7 +64,7 @@ TEST(report, parameters_have_their_value_sigma_and_change) {
   const char* const table = "<h2>LiDAR in the INS frame";
   EXPECT_EQ(row_of(html, table, "x"), (Cells{"x", "0.9000 m", "± 0.0020 m", "–", "1.0000 m", "-0.1000 m"}));
   EXPECT_EQ(row_of(html, table, "y"), (Cells{"y", "-0.2500 m", "± 0.0020 m", "–", "0.0000 m", "-0.2500 m"}));
-  EXPECT_EQ(row_of(html, table, "z"), (Cells{"z", "0.7500 m", "not observed", "–", "0.7500 m", "+0.0000 m"}));
+  EXPECT_EQ(row_of(html, table, "z"), (Cells{"z", "0.7500 m", "not observed", "–", "0.7500 m", "0.0000 m"}));
   EXPECT_EQ(row_of(html, table, "yaw"), (Cells{"yaw", "1.7189 °", "± 0.1146 °", "–", "0.0000 °", "+1.7189 °"}));
   EXPECT_EQ(row_of(html, "<h2>Correlation", "x"), (Cells{"x", "1.00", "-0.50", "–", "–", "–", "–"}));
 }
