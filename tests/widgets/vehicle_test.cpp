@@ -4,121 +4,26 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
 
 #include "app/gui/document/result_files.h"
 #include "app/gui/document/vehicle_report.h"
-#include "app/gui/features/all_features.h"
 #include "app/gui/features/vehicle_export_dialog.h"
-#include "app/gui/shell/main_window.h"
-#include "model/simulator/simulator.h"
 #include "tests/support/draws.h"
 #include "tests/support/sanitized.h"
+#include "tests/widgets/support/vehicle_window.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/map/map_view.h"
 #include "widgets/result/export_dialog.h"
-#include "widgets/vehicle/lidars_panel.h"
 
 namespace remount::widgets {
 namespace {
 
-constexpr int kVehiclePatience_ms = 200000;
-
-simulator::LidarMount mount(std::string name, double phase_s, const SixParameters& ins_from_lidar) {
-  simulator::LidarMount out;
-  out.name = std::move(name);
-  out.options.beams = 24;
-  out.options.azimuth_steps = 200;
-  out.options.scan_rate_hz = 5.0;
-  out.options.scan_phase_s = phase_s;
-  out.options.ins_from_lidar = rigid_from_six(ins_from_lidar);
-  return out;
-}
-
-class vehicle_window : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    ASSERT_TRUE(folder_->isValid());
-    simulator::SimulationOptions options;
-    options.scenario = simulator::ScenarioKind::FigureEight;
-    options.duration_s = 6.0;
-    const simulator::SimulatedVehicle vehicle =
-        simulator::simulate_vehicle(options, {mount("front", 0.0, {1.9, 0.1, 0.8, 0.02, 0.03, -0.01}),
-                                              mount("rear", 0.04, {-1.2, -0.2, 1.1, 2.9, -0.02, 0.02})});
-    truth_.clear();
-    for (const simulator::SimulatedDrive& lidar : vehicle.lidars) truth_.push_back(lidar.ins_from_lidar);
-    Progress progress;
-    simulator::write_vehicle(vehicle, folder_->filePath("drive").toStdString(), "native", 0, progress);
-    options.duration_s = 2.0;
-    options.seed = 2;
-    simulator::write_vehicle(
-        simulator::simulate_vehicle(options, {mount("front", 0.0, {1.9, 0.1, 0.8, 0.02, 0.03, -0.01}),
-                                              mount("side", 0.02, {0.5, 0.9, 1.4, 1.5, 0.0, 0.0})}),
-        folder_->filePath("second").toStdString(), "native", 0, progress);
-  }
-  static void TearDownTestSuite() { folder_.reset(); }
-
-  void SetUp() override {
-    window_.show();
-    window_.open_paths({folder_->filePath("drive")});
-    ASSERT_TRUE(settle());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.vehicle().lidars().size() == 2; }, kVehiclePatience_ms));
-    // It is not asked how well they are calibrated.
-    workbench_.setup().edit_option("pairing", "max_partners", 3);
-    workbench_.setup().edit_option("run", "map_check", false);
-  }
-  bool settle() {
-    const gui::Activity& activity = workbench_.activity();
-    const auto idle = [&] { return !activity.opening() && !activity.calibrating() && !activity.solving(); };
-    const bool settled = QTest::qWaitFor(idle, kVehiclePatience_ms);
-    window_.show_everything();
-    return settled;
-  }
-  void press(const QString& text) {
-    for (auto* button : panel().findChildren<QPushButton*>())
-      if (button->text() == text) {
-        ASSERT_TRUE(button->isEnabled()) << text.toStdString();
-        return button->click();
-      }
-    FAIL() << "no button " << text.toStdString();
-  }
-  void calibrate_together() {
-    press("Calibrate ticked");
-    ASSERT_TRUE(settle());
-    ASSERT_TRUE(vehicle().common());
-  }
-  /// Opened in a window of its own, which does not take the project from this one.
-  void save_and_open(const QString& path, gui::Workbench& later) {
-    QSignalSpy saved(&workbench_.document(), &gui::ProjectDocument::saved);
-    workbench_.document().save(path);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() > 0; }, kVehiclePatience_ms));
-    gui::ProjectToOpen request;
-    request.path = path;
-    request.access = gui::ProjectToOpen::Access::Copy;
-    later.document().open(request);
-    const std::size_t sessions = workbench_.sessions().all().size();
-    const auto opened = [&] { return later.sessions().all().size() == sessions && !later.activity().opening(); };
-    ASSERT_TRUE(QTest::qWaitFor(opened, kVehiclePatience_ms));
-  }
-  gui::Vehicle& vehicle() { return workbench_.vehicle(); }
-  LidarsPanel& panel() { return *window_.findChild<LidarsPanel*>(); }
-  QString cell(int row, LidarTableModel::Column column) {
-    return panel().model()->index(row, column).data().toString();
-  }
-  const RigidTransform& found() { return workbench_.outcome().output()->result.mounting.reference_from_sensor; }
-
-  static inline std::unique_ptr<QTemporaryDir> folder_;
-  static inline std::vector<RigidTransform> truth_;
-  gui::Workbench workbench_{gui::model_engine()};
-  gui::MainWindow window_{workbench_, gui::all_features()};
-};
-
-const motion::LidarIndex kFront{0}, kRear{1};
+using testing::kFront;
+using testing::kRear;
+using testing::kVehiclePatience_ms;
+using testing::vehicle_window;
 
 TEST_F(vehicle_window, calibrates_lidars_together_and_shows_one_after_the_other) {
   EXPECT_EQ(vehicle().shown(), kFront);
@@ -195,33 +100,6 @@ TEST_F(vehicle_window, tells_relative_mountings_pairs_across_and_the_map_of_all)
   auto* map = window_.findChild<MapView*>("vehicle-map");
   window_.show_view(*map);
   EXPECT_TRUE(QTest::qWaitFor([&] { return map->scene().points_shown() > 1000; }, kVehiclePatience_ms));
-}
-
-TEST_F(vehicle_window, a_project_holds_all_lidars) {
-  calibrate_together();
-  workbench_.decisions().decide({motion::PairIndex{3}}, motion::PairState::Rejected);
-  ASSERT_TRUE(settle());
-  vehicle().show(kRear);
-  ASSERT_TRUE(settle());
-  vehicle().tick(kFront, false);
-  const QString path = folder_->filePath("job.remount");
-  const RigidTransform rear = found();
-  gui::Workbench later{gui::model_engine()};
-  ASSERT_NO_FATAL_FAILURE(save_and_open(path, later));
-  ASSERT_EQ(later.vehicle().lidars().size(), 2u);
-  EXPECT_EQ(later.vehicle().shown(), kRear) << "in the order of before";
-  EXPECT_FALSE(later.vehicle().lidars()[0].ticked);
-  EXPECT_LT(difference(later.outcome().output()->result.mounting.reference_from_sensor, rear).norm(), 1e-9);
-  ASSERT_TRUE(later.vehicle().common());
-  EXPECT_TRUE(later.vehicle().is_as_solved(kRear));
-  EXPECT_FALSE(later.vehicle().is_as_solved(kFront)) << "a pair was rejected";
-  ASSERT_TRUE(later.vehicle().output_of(kFront));
-  later.vehicle().show(kFront);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return later.vehicle().shown() == kFront; }, kVehiclePatience_ms));
-  EXPECT_EQ(later.outcome().output()->pairs.at(3).state, motion::PairState::Rejected);
-  EXPECT_EQ(later.decisions().count(), 1);
-  later.history().stack().undo();
-  EXPECT_EQ(later.vehicle().shown(), kRear);
 }
 
 TEST_F(vehicle_window, exports_all_lidars) {
@@ -346,47 +224,6 @@ TEST_F(vehicle_window, a_report_has_all_lidars) {
 }
 
 /// Names, ticks, recordings and results.
-void expect_same_lidars(const gui::Vehicle& before, const gui::Vehicle& later) {
-  ASSERT_EQ(later.lidars().size(), before.lidars().size());
-  for (motion::LidarIndex l; l < before.lidars().size(); ++l) {
-    const gui::VehicleLidar &was = before.lidars()[l], &is = later.lidars()[l];
-    EXPECT_EQ(is.name(), was.name());
-    EXPECT_EQ(is.ticked, was.ticked) << was.name();
-    EXPECT_EQ(is.recorded.recordings.size(), was.recorded.recordings.size()) << was.name();
-    const auto result_before = before.output_of(l), result_later = later.output_of(l);
-    ASSERT_EQ(result_later != nullptr, result_before != nullptr) << was.name();
-    std::printf("  %s: %zu recordings%s\n", is.name().c_str(), is.recorded.recordings.size(),
-                result_later ? ", calibrated" : "");
-    if (!result_before) continue;
-    const double apart = difference(result_before->result.mounting.reference_from_sensor,
-                                    result_later->result.mounting.reference_from_sensor)
-                             .norm();
-    EXPECT_LT(apart, 1e-9) << was.name();
-  }
-}
-
-TEST_F(vehicle_window, a_project_of_mixed_sessions_loses_no_lidar) {
-  ONLY_IN_LONG_TESTS();
-  calibrate_together();
-  vehicle().show(kRear);
-  ASSERT_TRUE(settle());
-  window_.open_paths({folder_->filePath("second")});
-  ASSERT_TRUE(settle());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return vehicle().lidars().size() == 3; }, kVehiclePatience_ms));
-  ASSERT_FALSE(vehicle().shown());
-  const std::vector<gui::SavedLidar> saved = vehicle().others_to_save();
-  ASSERT_EQ(saved.size(), 3u);
-  EXPECT_TRUE(saved[0].output) << "front";
-  EXPECT_TRUE(saved[1].output) << "rear, which was worked on";
-  vehicle().tick(kRear, false);
-
-  gui::Workbench later{gui::model_engine()};
-  ASSERT_NO_FATAL_FAILURE(save_and_open(folder_->filePath("mixed.remount"), later));
-  EXPECT_FALSE(later.vehicle().shown());
-  expect_same_lidars(vehicle(), later.vehicle());
-  EXPECT_TRUE(later.vehicle().output_of(kFront) && later.vehicle().output_of(kRear));
-}
-
 TEST_F(vehicle_window, one_ticked_lidar_is_no_vehicle) {
   vehicle().tick(kRear, false);
   vehicle().calibrate();
