@@ -115,7 +115,7 @@ TEST(sweep_trial, proves_the_direction_of_scans_without_times) {
     double rate_hz;
   };
   for (const auto [clockwise, rate_hz] :
-       testing::some_of<Sweep>({{true, 5.0}, {false, 10.0}, {true, 10.0}, {false, 5.0}}, 2)) {
+       testing::some_of<Sweep>({{false, 5.0}, {true, 5.0}, {false, 10.0}, {true, 10.0}})) {
     const simulator::SimulatedDrive drive = testing::simulate_drive(
         swept_options(simulator::ScenarioKind::FigureEight, clockwise, rate_hz, clockwise ? 11 : 12));
     expect_sweep(try_sweeps(untold(drive), settings, 0, progress), clockwise, rate_hz,
