@@ -90,7 +90,7 @@ class FeatureMap::Tree {
     std::array<float, kNeighbours> distance2{};
     nanoflann::KNNResultSet<float, std::size_t> result(kNeighbours);
     result.init(found.data(), distance2.data());
-    index_->findNeighbors(result, at.data(), nanoflann::SearchParams());
+    index_->findNeighbors(result, at.data(), {});  // the name of its parameters differs between versions
     if (result.size() < kNeighbours || distance2.back() > within_m * within_m) return std::nullopt;
     std::array<Eigen::Vector3f, kNeighbours> points;
     for (std::size_t k = 0; k < kNeighbours; ++k) points[k] = points_[found[k]];
