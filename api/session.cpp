@@ -48,6 +48,8 @@ const drive::ScanSource& scans_with(const drive::Session& session, std::size_t s
 
 }  // namespace
 
+ScanSource::~ScanSource() = default;  // here, so that what the class has beside functions is in the library
+
 Session::Session(std::shared_ptr<const drive::Session> session) : session_(std::move(session)) {}
 
 std::string Session::name() const { return session_->name; }

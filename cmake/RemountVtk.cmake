@@ -33,7 +33,9 @@ else()
   add_library(remount_vtk_qt STATIC ${vtk_qt_files})
   remount_moc(remount_vtk_qt)
   include(GenerateExportHeader)
-  generate_export_header(remount_vtk_qt BASE_NAME vtkGUISupportQt
+  # From VTK 9.3 on its classes stand in a namespace that this header of its build names.
+  set(vtk_namespace "#if __has_include(<vtkABINamespace.h>)\n#include <vtkABINamespace.h>\n#endif\n")
+  generate_export_header(remount_vtk_qt BASE_NAME vtkGUISupportQt CUSTOM_CONTENT_FROM_VARIABLE vtk_namespace
     EXPORT_FILE_NAME ${CMAKE_BINARY_DIR}/generated/vtk_qt/vtkGUISupportQtModule.h)
   target_compile_definitions(remount_vtk_qt PUBLIC VTKGUISUPPORTQT_STATIC_DEFINE PRIVATE QT_NO_KEYWORDS)
   target_compile_options(remount_vtk_qt PRIVATE -w)

@@ -80,7 +80,7 @@ struct Scan {
 /// out, with a finding.
 class ScanSource {
  public:
-  virtual ~ScanSource() = default;
+  virtual ~ScanSource();
   virtual std::size_t size() const = 0;
   virtual std::int64_t stamp_ns(std::size_t scan) const = 0;  ///< Unix time on the LiDAR's clock; ascending
   virtual std::string name(std::size_t scan) const { return std::to_string(scan); }  ///< for messages
