@@ -46,8 +46,9 @@ std::vector<NameClock> clocks_of_names(const CloudFolder& folder, const InsGuess
   std::vector<NameClock> clocks;
   for (const std::int64_t unit_ns : {1'000'000'000, 1'000'000, 1'000, 1})
     for (NameOffset& offset : offsets_of_names(ins)) {
-      NameClock clock{.times = {unit_ns, formats::TimeScale::Unix, offset.added_ns},
-                      .counts = std::move(offset.counts)};
+      NameClock clock;
+      clock.times = {unit_ns, formats::TimeScale::Unix, offset.added_ns};
+      clock.counts = std::move(offset.counts);
       std::vector<drive::Finding> findings;
       clock.stamps_ns = ascending_stamps(
           formats::scans_from_names(folder.files, folder.directory, folder.format, clock.times, findings));

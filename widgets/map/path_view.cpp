@@ -68,7 +68,7 @@ void PathView::make_buttons() {
   QList<QAction*> actions;
   for (const auto& [text, view] : views) {
     actions << new QAction(text, this);
-    connect(actions.back(), &QAction::triggered, this, [this, view = view] { look(view); });
+    connect(actions.back(), &QAction::triggered, this, [this, chosen = view] { look(chosen); });
   }
   set_view_actions(actions);
 }

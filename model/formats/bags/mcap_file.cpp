@@ -120,8 +120,8 @@ void McapFile::add_channel(std::string_view content, const std::string& where) {
   const MessageEncoding encoding = encoding_of(reader.string());
   has_cdr_ |= encoding == MessageEncoding::Cdr;
   const auto described = schemas_.find(schema);
-  static const Schema kNone;
-  const Schema& type = described == schemas_.end() ? kNone : described->second;
+  static const Schema kUnknownSchema;
+  const Schema& type = described == schemas_.end() ? kUnknownSchema : described->second;
   topic_of_channel_[id] = topic(name, type.type, encoding, type.definition);
 }
 

@@ -82,8 +82,8 @@ TEST_F(written_dates, with_points_or_a_number_above_twelve_leave_no_doubt) {
     const formats::TemporaryFolder folder;
     write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
     write_rows(folder.path() / "ins.csv", "time" + std::string(kGeodeticHead),
-               [order = order, apart = apart](std::size_t, const WrittenSample& sample) {
-                 return joined({date(sample.ins.stamp_ns, order, apart)}, geodetic(sample));
+               [written = order, parting = apart](std::size_t, const WrittenSample& sample) {
+                 return joined({date(sample.ins.stamp_ns, written, parting)}, geodetic(sample));
                });
     const Description found = described({folder.path()});
     const Guess* time = guess_of(found, GuessKind::Time);
