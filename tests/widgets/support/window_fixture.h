@@ -16,7 +16,7 @@
 
 namespace remount::testing {
 
-constexpr int kPatience_ms = 20000 * static_cast<int>(kSanitizerSlowdown);
+constexpr int kPatience_ms = 60000 * static_cast<int>(kSanitizerSlowdown);
 
 class WindowFixture : public ::testing::Test {
  protected:
