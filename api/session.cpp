@@ -48,7 +48,8 @@ const drive::ScanSource& scans_with(const drive::Session& session, std::size_t s
 
 }  // namespace
 
-ScanSource::~ScanSource() = default;  // here, so that what the class has beside functions is in the library
+// Defined here, so that the class has its vtable and type information in the library.
+ScanSource::~ScanSource() = default;
 
 Session::Session(std::shared_ptr<const drive::Session> session) : session_(std::move(session)) {}
 

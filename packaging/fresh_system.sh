@@ -5,8 +5,8 @@
 room= root=                # a temporary folder, and the system below it
 screen= program= display=  # the virtual screen and the window, while they run
 
-# begin SCRIPT [ARGUMENT…]: makes the temporary folder. Mounts and processes of a namespace of our own end with it, so that
-# the script is run anew in one.
+# begin SCRIPT [ARGUMENT…]: makes the temporary folder. The script runs itself again in namespaces of its own, so that
+# mounts and processes end with it.
 begin() {
   if [ "$(id -u)" -ne 0 ]; then echo "${1##*/}: only root can make a system in a folder" >&2; exit 1; fi
   if [ "${REMOUNT_IN_NAMESPACE:-}" != yes ]; then
@@ -21,7 +21,7 @@ begin() {
 need_tools() {
   local tool
   for tool in "$@"; do
-    if ! command -v "$tool" > /dev/null; then echo "$tool is missing (packaging/setup --deb)" >&2; exit 1; fi
+    if ! command -v "$tool" > /dev/null; then echo "${0##*/}: $tool is missing (packaging/setup --deb)" >&2; exit 1; fi
   done
 }
 
@@ -67,13 +67,15 @@ now_ms() { date +%s%3N; }
 # make_system RELEASE MIRROR SCRIPT [OPTION…] (those of debootstrap): the lines of its sources.list come on the standard input, with
 # keyrings of this machine.
 make_system() {
-  local release=$1 mirror=$2 script=$3 keyring
+  local release=$1 mirror=$2 script=$3 keyring sources
   shift 3
+  sources=$(cat)
+  [ -n "$sources" ] || fail "no sources of packages for $release"
   say "making a system of $release"
   debootstrap --variant=minbase --include=ca-certificates "$@" "$release" "$root" "$mirror" "$script" \
-    > "$room/debootstrap.log" 2>&1 ||
+    > "$room/debootstrap.log" 2>&1 < /dev/null ||
     { tail -n 20 "$room/debootstrap.log"; fail "debootstrap"; }
-  cat > "$root/etc/apt/sources.list"
+  printf '%s\n' "$sources" > "$root/etc/apt/sources.list"
   sed -n 's/.*\[signed-by=\([^]]*\)\].*/\1/p' "$root/etc/apt/sources.list" | sort -u | while read -r keyring; do
     install -D -m 644 "$keyring" "$root$keyring"
   done
@@ -93,12 +95,12 @@ inside_apt() {
     { tail -n 30 "$room/install.log"; fail "apt install $*"; }
 }
 
-# calibrate_sample PROGRAM SAMPLE BEGUN_MS: the result must be a solved one, within a minute of when that began.
+# calibrate_sample PROGRAM SAMPLE BEGUN_MS: the result must be a solved one, within a minute of when installing began.
 calibrate_sample() {
-  local program=$1 sample=$2 begun_ms=$3 took_ms
-  as_user "$program" calibrate "$sample" -o /home/tester/result.yaml || fail "calibrating the sample"
+  local program_file=$1 sample=$2 begun_ms=$3 took_ms
+  as_user "$program_file" calibrate "$sample" -o /home/tester/result.yaml || fail "calibrating the sample"
   took_ms=$(($(now_ms) - begun_ms))
-  say "   the sample is solved $took_ms ms after the first command"
+  say "   the sample is solved $took_ms ms after installing began"
   grep -q '^status: ok$' "$root/home/tester/result.yaml" || fail "the sample is not solved"
   if [ "$took_ms" -gt 60000 ]; then fail "that is more than a minute"; fi
 }

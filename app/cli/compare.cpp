@@ -104,9 +104,8 @@ std::string difference_text(const calibration::ResultDifference& two, calibratio
                             const Console& console) {
   const double apart = results::on_screen(i, two.difference[i]), sigma = results::on_screen(i, two.sigma[i]);
   if (!std::isfinite(apart)) return console.words(say::report_not_observed());
-  char text[64];
-  std::snprintf(text, sizeof(text), "%+.*f (%.1f)", results::justified_decimals(sigma), apart, std::abs(apart) / sigma);
-  return text;
+  return formats::signed_text(apart, results::justified_decimals(sigma)) +
+         formats::format_numbers(" (%.1f)", std::abs(apart) / sigma);
 }
 
 /// A row a LiDAR.

@@ -178,7 +178,7 @@ std::string html_value(const FleetRow& row, calibration::Parameter i, Language l
   std::string html = "<td>";
   if (sigma)
     html += formats::rounded_text(results::six_on_screen(row.result->mounting.reference_from_sensor)[i], 4) + " ± " +
-            formats::rounded_text(results::on_screen(i, *sigma), 4);
+            formats::spread_text(results::on_screen(i, *sigma), 4);
   else if (usable(row))
     html +=
         "<span class=\"weak\">" + formats::escape_html(render(say::fleet_cell_not_observed(), language)) + "</span>";

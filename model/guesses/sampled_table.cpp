@@ -192,10 +192,10 @@ double value_of(std::string_view field, const TableText& text, DateOrder order) 
 
 struct ColumnCounts {
   std::size_t numbers = 0, whole = 0, dates = 0, days = 0, clocks = 0;
-  std::size_t none = 0;                   ///< without a value
-  std::size_t degrees = 0, metres = 0;    ///< that stand behind numbers
-  std::array<std::size_t, 3> of_order{};  ///< dates and days
-  std::size_t points = 0;                 ///< of these, that have points between day, month and year
+  std::size_t none = 0;                             ///< without a value
+  std::size_t degrees = 0, metres = 0, speeds = 0;  ///< that stand behind numbers
+  std::array<std::size_t, 3> of_order{};            ///< dates and days
+  std::size_t points = 0;                           ///< of these, that have points between day, month and year
   std::set<std::string> texts;
 };
 
@@ -221,6 +221,7 @@ void count_field(std::string_view field, const TableText& text, ColumnCounts& co
     const auto labelled = formats::parse_labelled_number(field);
     counts.degrees += labelled && labelled->unit == "deg";
     counts.metres += labelled && labelled->unit == "m";
+    counts.speeds += labelled && labelled->unit == "m/s";
   } else if (is_clock(field)) {
     ++counts.clocks;
   } else {
@@ -285,7 +286,10 @@ void take_values(std::string_view text, const Parting& parting, std::size_t firs
     table.columns[i].numeric = nearly_all(counts[i].numbers);
     table.columns[i].whole = table.columns[i].numeric && counts[i].whole >= counts[i].numbers;
     if (table.columns[i].unit.empty())
-      table.columns[i].unit = nearly_all(counts[i].degrees) ? "deg" : nearly_all(counts[i].metres) ? "m" : "";
+      table.columns[i].unit = nearly_all(counts[i].degrees)  ? "deg"
+                              : nearly_all(counts[i].metres) ? "m"
+                              : nearly_all(counts[i].speeds) ? "m/s"
+                                                             : "";
     table.columns[i].varies = counts[i].texts.size() > 1;
     table.columns[i].date = nearly_all(counts[i].dates);
     table.columns[i].day = nearly_all(counts[i].days);

@@ -140,7 +140,7 @@ void Page::write_parameters() {
       double moved = values[i] - given;
       if (calibration::is_angle(i)) moved = radians_to_degrees(wrap_angle_rad(degrees_to_radians(moved)));
       nominal = formats::rounded_text(given, 4) + unit;
-      if (results::has_mounting(result_)) change = (moved > 0.0 ? "+" : "") + formats::rounded_text(moved, 4) + unit;
+      if (results::has_mounting(result_)) change = formats::signed_text(moved, 4) + unit;
     }
     row({parameter(i) + (estimate.measured ? " *" : ""),
          results::has_mounting(result_) ? formats::rounded_text(values[i], 4) + unit : "–",

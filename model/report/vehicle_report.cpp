@@ -54,7 +54,7 @@ class VehiclePart {
       for (const calibration::Parameter parameter : calibration::kParameters) cells.push_back(value(two, parameter));
       const int decimals = results::justified_decimals(two.height_sigma_m);
       cells.push_back(formats::rounded_text(two.height_m, decimals) + " ± " +
-                      formats::rounded_text(two.height_sigma_m, decimals) + " m");
+                      formats::spread_text(two.height_sigma_m, decimals) + " m");
       row(cells, "td");
     }
     html_ += "</table>\n";

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Runs every `remount-cli` command that stands in a block of shell of a document, in the order in which it stands there.
+"""Runs every `remount-cli` command that stands in a block of shell of a document, in the order of the document.
+
+What else stands in such blocks (installing, containers, the window) is not run, and printed as such.
 
 Usage: run_commands.py SOURCE PROGRAM
 
 Each document has a folder of its own in which its commands are run, with /data and /tmp below it; there are the drives and
 files that a reader would have: two drives of a vehicle with two LiDARs, tables beside clouds, results and a fleet. A
-command must end with 0 and have written what it was told to write.
+command must end with 0 and have written anew what it was told to write.
 """
 
 import pathlib
@@ -15,6 +17,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from math import cos, sin
 
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 SAMPLE = SOURCE / "resources/sample"
@@ -45,8 +48,6 @@ def inverse(a):
 
 
 def rigid(roll, pitch, yaw, x, y, z):
-    from math import cos, sin
-
     def about(axis, angle):
         i, j = [(1, 2), (2, 0), (0, 1)][axis]
         out = [[float(r == c) for c in range(4)] for r in range(4)]
@@ -96,6 +97,7 @@ def make_stock(stock):
     """What a reader has: recordings, results of yesterday, files of others."""
     data = stock / "data"
     data.mkdir()
+    (stock / "tmp").mkdir()
     must(["simulate", "figure-eight", data / "drive1", *VEHICLE], stock)
     must(["simulate", "figure-eight", data / "drive2", *VEHICLE, "--seed", "2"], stock)
     must(["simulate", "figure-eight", data / "tables", "--duration-s", "8", "--beams", "16", "--azimuth-steps", "180"], stock)
@@ -115,9 +117,18 @@ def make_stock(stock):
 def commands_of(document):
     for block in re.findall(r"^```sh\n(.*?)^```", document.read_text(), re.S | re.M):
         for line in re.sub(r" *\\\n *", " ", block).splitlines():
-            found = re.match(r"(?:\w+=\S+ )?remount-cli (.*)", line.strip())
-            if found and not re.search(r"[<{…]| VERB", line):
-                yield shlex.split(found.group(1), comments=True)
+            words = shlex.split(line, comments=True)
+            if words[:1] == ["remount-cli"] and not any(re.search(r"[<{…]|^VERB$", word) for word in words):
+                yield words[1:]
+            elif words:
+                print(f"not run  {document.relative_to(SOURCE)}: {' '.join(words)}")
+
+
+def newest_ns(path):
+    """When it was written last, of a folder what is in it; None where there is nothing."""
+    if not path.exists():
+        return None
+    return max(part.stat().st_mtime_ns for part in [path, *path.rglob("*")])
 
 
 def main():
@@ -136,13 +147,15 @@ def main():
                 count += 1
                 real = [re.sub(r"^/(data|tmp)\b", rf"{folder}/\1", word.replace("/usr/share/remount/sample", str(SAMPLE)))
                         for word in words]
+                outputs = [folder / value for option, value in zip(real, real[1:]) if option in ("-o", "--output")]
+                before = [newest_ns(output) for output in outputs]
                 done = run(real, folder)
                 said = f"{document.relative_to(SOURCE)}: remount-cli {' '.join(words)}"
                 if done.returncode != 0:
                     failures.append(f"{said}\n  ended with {done.returncode}: {(done.stderr or done.stdout).strip()[-600:]}")
-                for option, value in zip(real, real[1:]):
-                    if option in ("-o", "--output") and done.returncode == 0 and not (folder / value).exists():
-                        failures.append(f"{said}\n  wrote no {value}")
+                for output, written_before in zip(outputs, before):
+                    if done.returncode == 0 and newest_ns(output) in (None, written_before):
+                        failures.append(f"{said}\n  wrote no {output.name}")
                 print(f"{done.returncode}  {said}", flush=True)
     print(f"{count} commands of documents were run, {len(failures)} failed")
     for failure in failures:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/formats/files/number_text.h"
 #include "model/results/display_units.h"
 #include "model/results/result_file.h"
 #include "widgets/basics/rows.h"
@@ -59,12 +60,10 @@ Rows score_rows(const pipeline::HoldOut& found, const QStringList& names) {
 
 /// "+1.2 ± 0.8", in mm or degrees.
 QString difference_text(calibration::Parameter i, double difference, double sigma) {
-  const double units = calibration::is_angle(i) ? 1.0 : 1e3, value = units * results::on_screen(i, difference);
+  const double units = calibration::is_angle(i) ? 1.0 : 1e3;
   const int decimals = calibration::is_angle(i) ? 4 : 1;
-  return QStringLiteral("%1%2 ± %3")
-      .arg(value < 0.0 ? QStringLiteral("−") : QStringLiteral("+"))
-      .arg(std::abs(value), 0, 'f', decimals)
-      .arg(units * results::on_screen(i, sigma), 0, 'f', decimals);
+  return QString::fromStdString(formats::signed_text(units * results::on_screen(i, difference), decimals)) + u' ' +
+         spread_text(units * results::on_screen(i, sigma), decimals);
 }
 
 QStringList difference_heads() {

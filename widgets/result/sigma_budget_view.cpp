@@ -8,6 +8,7 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
+#include "model/formats/files/number_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 #include "widgets/text/model_text.h"
@@ -21,7 +22,8 @@ namespace {
 
 /// In mm and thousandths of a degree: parts are small.
 QString part_number(Parameter parameter, double sigma) {
-  return QString::number(1e3 * (calibration::is_angle(parameter) ? radians_to_degrees(sigma) : sigma), 'f', 2);
+  const double small = 1e3 * (calibration::is_angle(parameter) ? radians_to_degrees(sigma) : sigma);
+  return QString::fromStdString(formats::spread_text(small, 2));
 }
 
 QString part_text(Parameter parameter, double sigma) {

@@ -119,16 +119,20 @@ LabelledNumber DeclaredRows::labelled(const ColumnRef& column, std::string_view 
   const std::string_view text = field(column);
   if (is_no_value(text)) fail(say::table_no_value(label(column)));
   const std::optional<LabelledNumber> number = parse_labelled_number(text);
-  if (!number || !(number->unit.empty() || number->unit == unit))
-    fail_number(text, label(column), path_, line_number());
+  if (!number) fail_number(text, label(column), path_, line_number());
+  if (!number->unit.empty() && number->unit != unit) fail_unit(column);
   if (text_.no_value == number->value) fail(say::log_not_known(label(column), std::string(text.substr(0, 40))));
   return *number;
 }
 
 double DeclaredRows::number(const ColumnRef& column, std::string_view unit) const {
   const LabelledNumber number = labelled(column, unit);
-  if (number.side != '\0') fail_number(field(column), label(column), path_, line_number());
+  if (number.side != '\0') fail_unit(column);
   return number.value;
+}
+
+void DeclaredRows::fail_unit(const ColumnRef& column) const {
+  fail(say::table_other_unit(label(column), std::string(field(column).substr(0, 40))));
 }
 
 /// Of parts that are whole numbers, and seconds with whatever is a fraction of them.

@@ -93,6 +93,7 @@ class DeclaredRows {
   std::int64_t stamp_ns();
 
   [[noreturn]] void fail(Message what) const;
+  [[noreturn]] void fail_unit(const ColumnRef& column) const;
   std::size_t line_number() const { return lines_.line_number(); }
   std::string place() const { return at_line(path_, line_number()); }
 

@@ -89,10 +89,11 @@ class RowParser {
       fail_not_known(column);
     const double angle_rad = place_rad(written.value, layout_.position_unit);
     if (std::isnan(angle_rad)) rows_.fail(say::ins_minutes(rows_.label(column), minutes_of_place(written.value)));
-    if (written.side != '\0') return on_side(angle_rad, written.side, column, letters);
-    if (!side) return angle_rad;
+    if (!side) return written.side == '\0' ? angle_rad : on_side(angle_rad, written.side, column, letters);
     const std::string_view text = trim(rows_.field(*side));
-    return on_side(angle_rad, text.size() == 1 ? static_cast<char>(text[0] & ~0x20) : '\0', *side, letters);
+    const char letter = text.size() == 1 ? static_cast<char>(text[0] & ~0x20) : '\0';
+    if (written.side != '\0' && written.side != letter) rows_.fail_unit(column);
+    return on_side(angle_rad, letter, *side, letters);
   }
   /// @param stated where the letter stands
   double on_side(double angle_rad, char letter, const ColumnRef& stated, std::pair<char, char> letters) const {

@@ -25,6 +25,21 @@ TEST(number_text, zero_has_no_sign) {
   EXPECT_EQ(rounded_text(2.5, 1), "2.5");
 }
 
+TEST(number_text, differences_have_a_sign_where_they_are_something) {
+  EXPECT_EQ(signed_text(0.00006, 4), "+0.0001");
+  EXPECT_EQ(signed_text(-0.00006, 4), "-0.0001");
+  EXPECT_EQ(signed_text(0.00004, 4), "0.0000");
+  EXPECT_EQ(signed_text(-0.00004, 4), "0.0000");
+}
+
+TEST(number_text, a_spread_is_never_nothing) {
+  EXPECT_EQ(spread_text(0.00123, 4), "0.0012");
+  EXPECT_EQ(spread_text(0.00003, 4), "< 0.0001");
+  EXPECT_EQ(spread_text(5e-7, 6), "< 0.000001") << "it rounds to the even digit";
+  EXPECT_EQ(spread_text(0.3, 0), "< 1");
+  EXPECT_EQ(spread_text(0.0, 2), "0.00") << "of what is known exactly";
+}
+
 TEST(number_text, patterns_are_those_of_printf) { EXPECT_EQ(format_numbers("%+.2f, %d", 0.5, 7), "+0.50, 7"); }
 
 }  // namespace
