@@ -40,8 +40,8 @@ TEST(slew_method, poses_of_an_odometry_stand_in_for_the_scans_of_the_turn) {
   expect_right(testing::yard_of({}, true), calibration::FirstPlane::Ground);
 }
 
-// One draw of the three recordings is enough here; the long test draws many. Scans of an exact yard err less than their residuals let one think, so
-// that what is said is wide; how wide is printed, and bounded.
+// One draw of the three recordings is enough here; the long test draws many. Scans of an exact yard err less than their
+// residuals let one think, so that what is said is wide; how wide is printed, and bounded.
 TEST(slew_method, errors_are_no_larger_than_said) {
   for (const std::array<double, 6>& squares : testing::squares_over_recordings(11, 1)) {
     double sum = 0.0;
