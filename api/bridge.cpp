@@ -31,6 +31,21 @@ constexpr ErrorCode outer_code(remount::ErrorCode code) {
 
 }  // namespace
 
+remount::ErrorCode inner_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::Format:
+      return remount::ErrorCode::Format;
+    case ErrorCode::Unsupported:
+      return remount::ErrorCode::Unsupported;
+    case ErrorCode::Contract:
+      return remount::ErrorCode::Contract;
+    case ErrorCode::Io:
+    case ErrorCode::Cancelled:
+      break;
+  }
+  return remount::ErrorCode::Io;
+}
+
 std::string_view version() { return REMOUNT_VERSION; }
 
 Text::Text(std::string words)
@@ -56,6 +71,8 @@ std::string_view to_string(ErrorCode code) {
       return "format";
     case ErrorCode::Unsupported:
       return "unsupported";
+    case ErrorCode::Cancelled:
+      return "cancelled";
     case ErrorCode::Contract:
       break;
   }
@@ -72,6 +89,8 @@ Error told(const remount::Error& error) {
   return {outer_code(error.code()), error.where(), Text(error.what_happened())};
 }
 
+Error cancelled_at(const std::string& where) { return {ErrorCode::Cancelled, where, Text(say::api_cancelled())}; }
+
 Progress::Progress() : state_(std::make_shared<State>()) {}
 Progress::Progress(Callback callback) : Progress() { state_->callback = std::move(callback); }
 void Progress::cancel() const { state_->stop.request_stop(); }
@@ -80,12 +99,29 @@ bool Progress::cancelled() const { return state_->stop.stop_requested(); }
 void Progress::State::tell(const ProgressUpdate& update) {
   const std::scoped_lock lock(mutex);
   if (failure) return;
+  telling = std::this_thread::get_id();
   try {
     callback({update.stage == nullptr ? Text() : Text(update.stage()), update.done, update.total});
   } catch (...) {
     failure = std::current_exception();
     stop.request_stop();
   }
+  telling = std::thread::id();
+}
+
+// Threads of such a call would wait for the callback, and the callback for them.
+void Progress::refuse_within_callback() const {
+  if (state_->telling.load() == std::this_thread::get_id())
+    throw Error(ErrorCode::Contract, "progress", Text(say::api_progress_in_callback()));
+}
+
+void Progress::State::rethrow_failure() {
+  std::exception_ptr thrown;
+  {
+    const std::scoped_lock lock(mutex);
+    thrown = std::exchange(failure, nullptr);
+  }
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 RigidTransform rigid_of_matrix(const Matrix4& a_from_b, const std::string& where) {

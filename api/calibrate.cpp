@@ -29,6 +29,9 @@ pipeline::PipelineInput input_of(const CalibrateOptions& options) {
   pipeline::PipelineInput input;
   input.settings = options.settings.inside();
   settings::require_valid(input.settings);
+  constexpr int kMostThreads = 1024;
+  if (options.threads < 0 || options.threads > kMostThreads)
+    throw remount::Error(remount::ErrorCode::Contract, "threads", say::api_threads(options.threads));
   input.threads = options.threads;
   if (options.nominal_ins_from_lidar)
     input.nominal_ins_from_lidar = rigid_of_matrix(*options.nominal_ins_from_lidar, "nominal_ins_from_lidar");
@@ -65,6 +68,8 @@ void add_pairs(const std::vector<MotionPair>& pairs, pipeline::PipelineOutput& o
   MomentList moments;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const std::string where = "pairs[" + std::to_string(i) + "]";
+    if (pairs[i].a && pairs[i].a == pairs[i].b)
+      throw remount::Error(remount::ErrorCode::Contract, where, say::api_pair_of_one_moment());
     motion::Pair pair;
     pair.keyframe_a = moments.keyframe(pairs[i].a.value_or(2 * i + 1));
     pair.keyframe_b = moments.keyframe(pairs[i].b.value_or(2 * i));

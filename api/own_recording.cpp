@@ -10,29 +10,63 @@
 namespace remount::api {
 namespace {
 
-/// Errors of a scan are the pipeline's, whoever's the source is.
+/// Whatever code of others throws is an error of `where`.
+template <class Work>
+auto of_others(const std::string& where, const Work& work) {
+  try {
+    return work();
+  } catch (const api::Error& error) {
+    throw remount::Error(inner_code(error.code()), error.place(), error.expectation().message());
+  } catch (const std::exception& error) {
+    throw remount::Error(remount::ErrorCode::Io, where, Message::verbatim(error.what()));
+  } catch (...) {
+    throw remount::Error(remount::ErrorCode::Io, where, say::api_reader_failed());
+  }
+}
+
+/// Errors of a scan are the pipeline's, whoever's the source is. How many scans there are, and when, is asked once.
 class OwnScans final : public drive::ScanSource {
  public:
-  explicit OwnScans(std::shared_ptr<const api::ScanSource> scans) : scans_(std::move(scans)) {}
-
-  std::size_t size() const override { return scans_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return scans_->name(scan); }
-  cloud::PointCloud load(std::size_t scan) const override { return cloud_of(loaded(scan), name(scan)); }
-
- private:
-  Scan loaded(std::size_t scan) const {
-    try {
-      return scans_->load(scan);
-    } catch (const api::Error& error) {
-      throw remount::Error(remount::ErrorCode::Io, error.place(), error.expectation().message());
-    } catch (const std::exception& error) {
-      throw remount::Error(remount::ErrorCode::Io, name(scan), Message::verbatim(error.what()));
-    }
+  /// @param timed whether each scan must have the times of its points
+  OwnScans(std::shared_ptr<const api::ScanSource> scans, bool timed, const std::string& where)
+      : scans_(std::move(scans)), timed_(timed) {
+    of_others(where, [&] {
+      const std::size_t count = scans_->size();
+      for (std::size_t scan = 0; scan < count; ++scan) {
+        stamps_ns_.push_back(scans_->stamp_ns(scan));
+        names_.push_back(scans_->name(scan));
+      }
+    });
   }
 
+  std::size_t size() const override { return stamps_ns_.size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return stamps_ns_.at(scan); }
+  std::string name(std::size_t scan) const override { return names_.at(scan); }
+  cloud::PointCloud load(std::size_t scan) const override {
+    const Scan loaded = of_others(name(scan), [&] { return scans_->load(scan); });
+    if (timed_ && loaded.time_from_stamp_s.empty() && !loaded.points_in_lidar.empty())
+      throw remount::Error(remount::ErrorCode::Format, name(scan), say::api_scan_without_times());
+    return cloud_of(loaded, name(scan));
+  }
+
+ private:
   std::shared_ptr<const api::ScanSource> scans_;
+  bool timed_;
+  std::vector<std::int64_t> stamps_ns_;
+  std::vector<std::string> names_;
 };
+
+/// Throws where the first scan that can be loaded has no times: none of them will have.
+void require_times(const drive::ScanSource& scans) {
+  for (std::size_t scan = 0; scan < scans.size(); ++scan) {
+    try {
+      scans.load(scan);
+      return;
+    } catch (const remount::Error& error) {
+      if (error.what_happened().code() == say::api_scan_without_times().code()) throw;
+    }
+  }
+}
 
 template <class StampOf>
 void require_ascending(std::size_t count, const StampOf& stamp_ns, const std::string& where) {
@@ -131,10 +165,12 @@ drive::Session session_of(const Recording& recording) {
   session.world_from_ins = poses_of(recording.world_from_ins, session.name + ": world_from_ins");
   session.odometry_from_lidar = poses_of(recording.odometry_from_lidar, session.name + ": odometry_from_lidar");
   if (recording.scans) {
-    const api::ScanSource& scans = *recording.scans;
+    const bool timed = recording.scan_times == ScanTimes::PerPoint;
+    const auto scans = std::make_shared<const OwnScans>(recording.scans, timed, session.name + ": scans");
     require_ascending(
-        scans.size(), [&](std::size_t i) { return scans.stamp_ns(i); }, session.name + ": scans");
-    session.scans = std::make_shared<const OwnScans>(recording.scans);
+        scans->size(), [&](std::size_t i) { return scans->stamp_ns(i); }, session.name + ": scans");
+    if (timed) require_times(*scans);
+    session.scans = scans;
   }
   session.scan_timing = timing_of(recording.scan_times);
   if (recording.nominal_ins_from_lidar)

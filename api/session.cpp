@@ -1,5 +1,6 @@
 #include "remount/session.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "algorithms/motion/keyframes.h"
@@ -35,7 +36,9 @@ drive::TopicChoice choice_of(const std::filesystem::path& path, const std::strin
     if (offer.name == lidar) return offer.choice;
     names.push_back(offer.name);
   }
-  throw remount::Error(remount::ErrorCode::Contract, path.string(), say::api_no_such_lidar(lidar, names));
+  const bool unnamed = std::ranges::all_of(names, [](const std::string& name) { return name.empty(); });
+  throw remount::Error(remount::ErrorCode::Contract, path.string(),
+                       unnamed ? say::api_unnamed_lidars(lidar) : say::api_no_such_lidar(lidar, names));
 }
 
 /// Throws remount::Error(Contract).
@@ -110,7 +113,7 @@ std::vector<Pose> Session::local_from_ins() const {
 }
 
 Session open_session(const std::filesystem::path& path, const OpenOptions& options, const Progress& progress) {
-  return with_progress(progress, [&](remount::Progress& inner) {
+  return to_the_end(progress, path.string(), [&](remount::Progress& inner) {
     drive::TopicChoice choice;
     if (!options.lidar.empty()) choice = choice_of(path, options.lidar, inner);
     for (const auto& [role, topic] : options.topics) choice[role] = topic;
@@ -119,7 +122,7 @@ Session open_session(const std::filesystem::path& path, const OpenOptions& optio
 }
 
 std::vector<std::string> lidars_of(const std::filesystem::path& path, const Progress& progress) {
-  return with_progress(progress, [&](remount::Progress& inner) {
+  return to_the_end(progress, path.string(), [&](remount::Progress& inner) {
     std::vector<std::string> names;
     for (const drive::LidarOffer& offer : formats::offer_lidars(path, inner)) names.push_back(offer.name);
     return names;
@@ -127,7 +130,7 @@ std::vector<std::string> lidars_of(const std::filesystem::path& path, const Prog
 }
 
 Session make_session(const Recording& recording, const Progress& progress) {
-  return with_progress(progress, [&](remount::Progress& inner) {
+  return to_the_end(progress, recording.name, [&](remount::Progress& inner) {
     return Session(std::make_shared<const drive::Session>(formats::settled_session(session_of(recording), inner)));
   });
 }

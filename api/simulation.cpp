@@ -20,7 +20,7 @@ simulator::SimulationOptions options_of(const std::map<std::string, OptionValue>
   settings::OptionReader reader(formats::DocumentView(document, where), problems);
   simulator::SimulationOptions::visit(options, reader);
   reader.report_unknown_keys();
-  if (!problems.empty()) throw remount::Error(remount::ErrorCode::Contract, "", in_one(std::move(problems)));
+  if (!problems.empty()) throw remount::Error(remount::ErrorCode::Contract, "options", in_one(std::move(problems)));
   return options;
 }
 
@@ -58,7 +58,7 @@ std::vector<std::string> drive_formats() { return simulator::drive_formats(); }
 
 void write_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                  const Progress& progress) {
-  with_progress(progress, [&](remount::Progress& inner) {
+  to_the_end(progress, folder.string(), [&](remount::Progress& inner) {
     simulator::write_drive(drive.inside(), folder, format, 0, inner);
     return true;
   });

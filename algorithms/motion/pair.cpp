@@ -20,4 +20,6 @@ bool is_cancelled(const RegistrationQuality& quality) {
 
 bool is_not_reached(const Pair& pair) { return pair.reason.code() == say::pair_not_reached().code(); }
 
+bool repeats_another(const Pair& pair) { return pair.reason.code() == say::motion_pair_repeats(0).code(); }
+
 }  // namespace remount::motion

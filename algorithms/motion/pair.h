@@ -86,4 +86,7 @@ bool is_cancelled(const RegistrationQuality& quality);
 /// Whether a pair is rejected because a cancelled calibration never came to it: it says nothing, for or against.
 bool is_not_reached(const Pair& pair);
 
+/// Whether a pair is rejected because it stands in a list a second time: it says nothing new.
+bool repeats_another(const Pair& pair);
+
 }  // namespace remount::motion

@@ -15,8 +15,9 @@ std::atomic<api::Language>& chosen_language() {
 
 void raise(const api::Error& error) {
   const py::object type = py::module_::import("remount.errors").attr("Error");
-  PyErr_SetObject(type.ptr(),
-                  type(std::string(to_string(error.code())), error.place(), words_of(error.expectation())).ptr());
+  PyErr_SetObject(type.ptr(), type(std::string(to_string(error.code())), python_text(error.place()),
+                                   python_text(words_of(error.expectation())))
+                                  .ptr());
 }
 
 /// Tells of items at most twenty times a second: whoever is told is asked for Python's lock.
@@ -52,6 +53,11 @@ api::Progress telling(const py::object& callback) {
 }
 
 }  // namespace
+
+py::str python_text(const std::string& text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
+}
 
 std::string words_of(const api::Text& text) { return text.in(chosen_language()); }
 

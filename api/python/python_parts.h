@@ -15,11 +15,21 @@
 
 #include "remount/progress.h"
 #include "remount/session.h"
+#include "remount/settings.h"
 #include "remount/text.h"
 
 namespace remount::python {
 
 namespace py = pybind11;
+
+/// What may have bytes of a path that is no UTF-8, as Python has such paths.
+py::str python_text(const std::string& text);
+/// A value of a setting or an option. Throws api::Error(Contract) at its name for what is none.
+api::OptionValue option_value_of(const py::handle& given, const std::string& name);
+/// Settings, a mapping of names to values, or None. Throws api::Error(Contract).
+api::Settings settings_of(const py::object& given);
+/// Whole nanoseconds, (n,). Throws api::Error(Contract) for other numbers: cut, seconds would pass for them.
+std::vector<std::int64_t> stamps_of(const py::object& given, const std::string& name);
 
 /// In the language of the module.
 std::string words_of(const api::Text& text);
@@ -31,6 +41,7 @@ api::Progress progress_of(const py::object& given);
 /// Runs what takes long without Python's lock, and ends it where the user interrupts.
 template <class Work>
 auto run_interruptibly(const api::Progress& progress, const Work& work) {
+  progress.refuse_within_callback();
   const py::gil_scoped_release unlocked;
   auto running = std::async(std::launch::async, work);
   while (running.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {

@@ -92,6 +92,7 @@ std::string value_text(double value, double sigma, bool angle) {
 
 std::string result_repr(const api::Result& result) {
   std::string text = "<remount.Result " + std::string(to_string(result.status()));
+  if (result.usable()) text += ", " + result.reference_frame() + "_from_" + result.sensor_frame();
   for (const api::Parameter parameter : api::kParameters) {
     const api::Estimate estimate = result.estimate(parameter);
     text += "\n  " + std::string(to_string(parameter)) + " ";
@@ -109,10 +110,10 @@ std::string estimate_repr(const api::Estimate& estimate) {
   return text;
 }
 
-api::CalibrateOptions options_of(const std::optional<api::Settings>& settings,
-                                 const std::optional<api::Matrix4>& nominal_ins_from_lidar, int threads) {
+api::CalibrateOptions options_of(const py::object& settings, const std::optional<api::Matrix4>& nominal_ins_from_lidar,
+                                 int threads) {
   api::CalibrateOptions options;
-  if (settings) options.settings = *settings;
+  options.settings = settings_of(settings);
   options.nominal_ins_from_lidar = nominal_ins_from_lidar;
   options.threads = threads;
   return options;
@@ -120,14 +121,17 @@ api::CalibrateOptions options_of(const std::optional<api::Settings>& settings,
 
 std::vector<api::Session> sessions_of(const py::object& given) {
   if (py::isinstance<api::Session>(given)) return {given.cast<api::Session>()};
-  try {
-    return given.cast<std::vector<api::Session>>();
-  } catch (const py::cast_error&) {
-    throw py::type_error("expected a Session or a list of them");
+  std::vector<api::Session> sessions;
+  const char* expected = "expected a Session or a list of them";
+  if (!py::isinstance<py::iterable>(given)) throw py::type_error(expected);
+  for (const py::handle session : given) {
+    if (!py::isinstance<api::Session>(session)) throw py::type_error(expected);
+    sessions.push_back(session.cast<api::Session>());
   }
+  return sessions;
 }
 
-api::Result calibrate(const py::object& sessions, const std::optional<api::Settings>& settings,
+api::Result calibrate(const py::object& sessions, const py::object& settings,
                       const std::optional<api::Matrix4>& nominal_ins_from_lidar, bool ignore_declared_nominal,
                       bool hash_inputs, int threads, const py::object& progress) {
   const std::vector<api::Session> given = sessions_of(sessions);
@@ -140,8 +144,8 @@ api::Result calibrate(const py::object& sessions, const std::optional<api::Setti
 
 api::Result solve(const Stack& ins_b_from_ins_a, const Stack& lidar_b_from_lidar_a,
                   const std::optional<std::vector<std::size_t>>& a, const std::optional<std::vector<std::size_t>>& b,
-                  const std::optional<api::Settings>& settings,
-                  const std::optional<api::Matrix4>& nominal_ins_from_lidar, int threads, const py::object& progress) {
+                  const py::object& settings, const std::optional<api::Matrix4>& nominal_ins_from_lidar, int threads,
+                  const py::object& progress) {
   const std::vector<api::Matrix4> p = unstacked(ins_b_from_ins_a, "ins_b_from_ins_a"),
                                   q = unstacked(lidar_b_from_lidar_a, "lidar_b_from_lidar_a");
   if (p.size() != q.size() || (a && a->size() != p.size()) || (b && b->size() != p.size()))

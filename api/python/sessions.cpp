@@ -7,16 +7,16 @@
 namespace remount::python {
 namespace {
 
-using Stamps = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+using Stamps = py::object;
 using Stack = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 std::vector<api::Pose> poses_of(const std::pair<Stamps, Stack>& given, const std::string& name) {
   const std::vector<api::Matrix4> matrices = unstacked(given.second, name);
-  if (given.first.ndim() != 1 || static_cast<std::size_t>(given.first.size()) != matrices.size())
+  const std::vector<std::int64_t> stamps_ns = stamps_of(given.first, name);
+  if (stamps_ns.size() != matrices.size())
     throw api::Error(api::ErrorCode::Contract, name, "expected one stamp for each transform");
   std::vector<api::Pose> poses;
-  for (std::size_t i = 0; i < matrices.size(); ++i)
-    poses.push_back({given.first.at(static_cast<py::ssize_t>(i)), matrices[i]});
+  for (std::size_t i = 0; i < matrices.size(); ++i) poses.push_back({stamps_ns[i], matrices[i]});
   return poses;
 }
 
@@ -28,6 +28,20 @@ py::tuple stamped(const std::vector<api::Pose>& poses) {
     matrices.push_back(poses[i].pose);
   }
   return py::make_tuple(stamps_ns, stacked(matrices));
+}
+
+/// What a loader raised, as the library tells it. An interrupt goes on as one, where the main thread looks for it.
+api::Error error_of(const py::error_already_set& raised, const std::string& where) {
+  if (raised.matches(PyExc_KeyboardInterrupt)) PyErr_SetInterrupt();
+  if (raised.matches(py::module_::import("remount.errors").attr("Error"))) {
+    const auto part = [&](const char* name) { return py::str(raised.value().attr(name)).cast<std::string>(); };
+    for (const api::ErrorCode code : {api::ErrorCode::Format, api::ErrorCode::Unsupported, api::ErrorCode::Contract})
+      if (part("code") == to_string(code)) return {code, part("place"), part("expectation")};
+    return {api::ErrorCode::Io, part("place"), part("expectation")};
+  }
+  const auto type = py::str(raised.type().attr("__name__")).cast<std::string>();
+  const auto said = py::str(raised.value()).cast<std::string>();
+  return {api::ErrorCode::Io, where, said.empty() ? type : type + ": " + said};
 }
 
 /// Scans that a function of Python loads; its owner may end without Python's lock.
@@ -49,7 +63,7 @@ class PythonScans final : public api::ScanSource {
     try {
       return scan_of(load_(scan), name(scan));
     } catch (const py::error_already_set& raised) {
-      throw api::Error(api::ErrorCode::Io, name(scan), std::string(raised.what()));
+      throw error_of(raised, name(scan));
     }
   }
 
@@ -69,17 +83,18 @@ using InsArrays = std::tuple<Stamps, Stack, Stack>;
 
 /// Stamps, positions (latitude, longitude, height) and quaternions.
 std::vector<api::InsSample> samples_of(const InsArrays& given) {
-  const auto& [stamps_ns, positions, xyzw] = given;
-  const bool columns = stamps_ns.ndim() == 1 && positions.ndim() == 2 && xyzw.ndim() == 2 && positions.shape(1) == 3 &&
-                       xyzw.shape(1) == 4;
-  if (!columns || positions.shape(0) != stamps_ns.size() || xyzw.shape(0) != stamps_ns.size())
+  const auto& [stamps, positions, xyzw] = given;
+  const std::vector<std::int64_t> stamps_ns = stamps_of(stamps, "ins");
+  const auto rows = static_cast<py::ssize_t>(stamps_ns.size());
+  const bool columns = positions.ndim() == 2 && xyzw.ndim() == 2 && positions.shape(1) == 3 && xyzw.shape(1) == 4;
+  if (!columns || positions.shape(0) != rows || xyzw.shape(0) != rows)
     throw api::Error(api::ErrorCode::Contract, "ins",
                      "expected stamps (n,), positions (n, 3): latitude and longitude in rad and height in m, and "
                      "quaternions enu_from_ins (n, 4): x, y, z, w");
-  std::vector<api::InsSample> samples(static_cast<std::size_t>(stamps_ns.size()));
+  std::vector<api::InsSample> samples(stamps_ns.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto row = static_cast<py::ssize_t>(i);
-    samples[i].stamp_ns = stamps_ns.at(row);
+    samples[i].stamp_ns = stamps_ns[i];
     samples[i].latitude_rad = positions.at(row, 0);
     samples[i].longitude_rad = positions.at(row, 1);
     samples[i].height_m = positions.at(row, 2);
@@ -90,14 +105,15 @@ std::vector<api::InsSample> samples_of(const InsArrays& given) {
 
 api::Session make_session(const std::string& name, const std::optional<InsArrays>& ins,
                           const std::optional<std::pair<Stamps, Stack>>& world_from_ins,
-                          const std::vector<std::int64_t>& scan_stamps_ns, const py::object& load_scan,
-                          const std::string& scan_times, const std::optional<std::pair<Stamps, Stack>>& odometry,
+                          const py::object& scan_stamps_ns, const py::object& load_scan, const std::string& scan_times,
+                          const std::optional<std::pair<Stamps, Stack>>& odometry,
                           const std::optional<api::Matrix4>& nominal_ins_from_lidar, const py::object& progress) {
   api::Recording recording;
   recording.name = name;
   if (ins) recording.ins = samples_of(*ins);
   if (world_from_ins) recording.world_from_ins = poses_of(*world_from_ins, "world_from_ins");
-  if (!load_scan.is_none()) recording.scans = std::make_shared<PythonScans>(scan_stamps_ns, load_scan);
+  if (!load_scan.is_none())
+    recording.scans = std::make_shared<PythonScans>(stamps_of(scan_stamps_ns, "scan_stamps_ns"), load_scan);
   recording.scan_times = scan_times_of(scan_times);
   if (odometry) recording.odometry_from_lidar = poses_of(*odometry, "odometry_from_lidar");
   recording.nominal_ins_from_lidar = nominal_ins_from_lidar;
@@ -124,8 +140,12 @@ py::dict scan_columns(const api::Session& session, std::size_t scan) {
   return columns;
 }
 
-py::object keyframes_of(const api::Session& session, const std::optional<api::Settings>& settings) {
-  const std::vector<api::Keyframe> keyframes = session.keyframes(settings.value_or(api::Settings()));
+py::object keyframes_of(const api::Session& session, const py::object& settings) {
+  const api::Settings chosen = settings_of(settings);
+  const std::vector<api::Keyframe> keyframes = [&] {
+    const py::gil_scoped_release unlocked;
+    return session.keyframes(chosen);
+  }();
   py::list scans, stamps_ns, travelled_m;
   for (const api::Keyframe& keyframe : keyframes) {
     scans.append(keyframe.scan);
@@ -136,11 +156,21 @@ py::object keyframes_of(const api::Session& session, const std::optional<api::Se
                           {{"scan", "i8", scans}, {"stamp_ns", "i8", stamps_ns}, {"travelled_m", "f8", travelled_m}});
 }
 
+/// Throws api::Error(Contract) for what is no column, and for what does not go into its numbers.
 template <class Value>
-std::vector<Value> numbers_of(const py::object& column) {
+std::vector<Value> numbers_of(const py::object& column, const std::string& name) {
   if (column.is_none()) return {};
-  const py::array_t<Value, py::array::c_style | py::array::forcecast> values(column);
-  return {values.data(), values.data() + values.size()};
+  const py::array_t<double, py::array::c_style | py::array::forcecast> values(column);
+  if (values.ndim() != 1) throw api::Error(api::ErrorCode::Contract, name, "expected one number for each point, (n,)");
+  std::vector<Value> numbers;
+  for (py::ssize_t i = 0; i < values.size(); ++i) {
+    const double value = values.at(i);
+    if constexpr (std::is_integral_v<Value>)
+      if (!(value >= 0.0 && value <= static_cast<double>(std::numeric_limits<Value>::max())))
+        throw api::Error(api::ErrorCode::Contract, name, "expected numbers from 0 to 65535");
+    numbers.push_back(static_cast<Value>(value));
+  }
+  return numbers;
 }
 
 std::string session_repr(const api::Session& session) {
@@ -186,14 +216,13 @@ void add_values(py::module_& module) {
 }
 
 api::Registration register_arrays(const py::object& source, const py::object& target,
-                                  const std::optional<api::Matrix4>& start,
-                                  const std::optional<api::Settings>& settings, const py::object& progress) {
+                                  const std::optional<api::Matrix4>& start, const py::object& settings,
+                                  const py::object& progress) {
+  const api::Settings chosen = settings_of(settings);
   const api::Scan source_scan = scan_of(source, "source"), target_scan = scan_of(target, "target");
   const api::Matrix4 begin = start.value_or(api::Matrix4::Identity());
   const api::Progress told = progress_of(progress);
-  return run_interruptibly(told, [&] {
-    return api::register_scans(source_scan, target_scan, begin, settings.value_or(api::Settings()), told);
-  });
+  return run_interruptibly(told, [&] { return api::register_scans(source_scan, target_scan, begin, chosen, told); });
 }
 
 void add_simulation(py::module_& module) {
@@ -216,13 +245,29 @@ void add_simulation(py::module_& module) {
   module.def(
       "simulate",
       [](const std::optional<api::Matrix4>& ins_from_lidar, const py::kwargs& options) {
-        return api::simulate(options.cast<std::map<std::string, api::OptionValue>>(), ins_from_lidar);
+        std::map<std::string, api::OptionValue> values;
+        for (const auto& [name, value] : options) {
+          const auto text = name.cast<std::string>();
+          values.emplace(text, option_value_of(value, text));
+        }
+        const py::gil_scoped_release unlocked;
+        return api::simulate(values, ins_from_lidar);
       },
       py::kw_only(), py::arg("ins_from_lidar") = py::none());
   module.def("drive_formats", api::drive_formats);
 }
 
 }  // namespace
+
+std::vector<std::int64_t> stamps_of(const py::object& given, const std::string& name) {
+  const py::array array = py::array::ensure(given);
+  const bool empty = array && array.ndim() == 1 && array.size() == 0;
+  if (empty) return {};
+  if (!array || array.ndim() != 1 || (array.dtype().kind() != 'i' && array.dtype().kind() != 'u'))
+    throw api::Error(api::ErrorCode::Contract, name, "expected stamps as whole nanoseconds: integers, (n,)");
+  const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> stamps_ns(array);
+  return {stamps_ns.data(), stamps_ns.data() + stamps_ns.size()};
+}
 
 py::array_t<float> points_of(const api::Scan& scan) {
   py::array_t<float> points({scan.points_in_lidar.size(), std::size_t{3}});
@@ -245,9 +290,9 @@ api::Scan scan_of(const py::object& given, const std::string& name) {
   const auto values = points.unchecked<2>();
   for (py::ssize_t i = 0; i < points.shape(0); ++i)
     scan.points_in_lidar.emplace_back(values(i, 0), values(i, 1), values(i, 2));
-  scan.time_from_stamp_s = numbers_of<float>(column("time_from_stamp_s"));
-  scan.intensity = numbers_of<float>(column("intensity"));
-  scan.ring = numbers_of<std::uint16_t>(column("ring"));
+  scan.time_from_stamp_s = numbers_of<float>(column("time_from_stamp_s"), name + ": time_from_stamp_s");
+  scan.intensity = numbers_of<float>(column("intensity"), name + ": intensity");
+  scan.ring = numbers_of<std::uint16_t>(column("ring"), name + ": ring");
   return scan;
 }
 
@@ -255,14 +300,23 @@ void add_sessions(py::module_& module) {
   add_values(module);
   py::class_<api::Session>(module, "Session")
       .def_property_readonly("name", &api::Session::name)
-      .def_property_readonly("path", &api::Session::path)
+      .def_property_readonly("path",
+                             [](const api::Session& session) -> std::optional<std::filesystem::path> {
+                               if (session.path().empty()) return std::nullopt;
+                               return session.path();
+                             })
       .def_property_readonly("format", &api::Session::format)
       .def_property_readonly("lidar", &api::Session::lidar)
       .def_property_readonly("nominal_ins_from_lidar", &api::Session::nominal_ins_from_lidar)
       .def_property_readonly("sensors", &api::Session::sensors)
       .def_property_readonly("findings", &api::Session::findings)
       .def_property_readonly("local_from_ins",
-                             [](const api::Session& session) { return stamped(session.local_from_ins()); })
+                             [](const api::Session& session) {
+                               return stamped([&] {
+                                 const py::gil_scoped_release unlocked;
+                                 return session.local_from_ins();
+                               }());
+                             })
       .def("keyframes", keyframes_of, py::arg("settings") = py::none())
       .def("scan", scan_columns, py::arg("scan"))
       .def("scan_stamp_ns", &api::Session::scan_stamp_ns, py::arg("scan"))
@@ -278,10 +332,14 @@ void add_sessions(py::module_& module) {
       py::arg("path"), py::kw_only(), py::arg("lidar") = "", py::arg("topics") = std::map<std::string, std::string>(),
       py::arg("progress") = py::none());
   module.def(
-      "lidars_of", [](const std::filesystem::path& path) { return api::lidars_of(path); }, py::arg("path"),
-      py::call_guard<py::gil_scoped_release>());
+      "lidars_of",
+      [](const std::filesystem::path& path, const py::object& progress) {
+        const api::Progress told = progress_of(progress);
+        return run_interruptibly(told, [&] { return api::lidars_of(path, told); });
+      },
+      py::arg("path"), py::kw_only(), py::arg("progress") = py::none());
   module.def("make_session", make_session, py::arg("name"), py::kw_only(), py::arg("ins") = py::none(),
-             py::arg("world_from_ins") = py::none(), py::arg("scan_stamps_ns") = std::vector<std::int64_t>(),
+             py::arg("world_from_ins") = py::none(), py::arg("scan_stamps_ns") = py::tuple(),
              py::arg("load_scan") = py::none(), py::arg("scan_times") = "at_stamp",
              py::arg("odometry_from_lidar") = py::none(), py::arg("nominal_ins_from_lidar") = py::none(),
              py::arg("progress") = py::none());

@@ -1,6 +1,7 @@
 #include "remount/settings.h"
 
 #include "api/python/python_parts.h"
+#include "remount/error.h"
 #include "remount/simulation.h"
 
 namespace remount::python {
@@ -24,27 +25,71 @@ py::list option_list(const std::vector<api::Option>& options) {
   return out;
 }
 
-api::Settings settings_with(const std::map<std::string, api::OptionValue>& values) {
+api::Settings settings_with(const py::object& values) {
   api::Settings settings;
-  for (const auto& [name, value] : values) settings.set(name, value);
+  for (const py::handle item : values.attr("items")()) {
+    const auto name = py::str(item[py::int_(0)]).cast<std::string>();
+    settings.set(name, option_value_of(item[py::int_(1)], name));
+  }
   return settings;
+}
+
+py::dict settings_dict(const api::Settings& settings) {
+  py::dict values;
+  for (const api::Option& option : settings.all()) values[py::str(option.name)] = option.value;
+  return values;
 }
 
 }  // namespace
 
+api::OptionValue option_value_of(const py::handle& given, const std::string& name) {
+  if (py::isinstance<py::str>(given)) return given.cast<std::string>();
+  const auto numpy = py::module_::import("numpy");
+  if (py::isinstance<py::bool_>(given) || py::isinstance(given, numpy.attr("bool_"))) return given.cast<bool>();
+  const bool text = py::isinstance<py::bytes>(given) || given.is_none();
+  const bool array = py::isinstance<py::array>(given) && py::reinterpret_borrow<py::array>(given).ndim() > 0;
+  if (!text && !array) {
+    if (PyIndex_Check(given.ptr()) != 0) {
+      const long long whole = PyLong_AsLongLong(py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr())).ptr());
+      if (PyErr_Occurred() == nullptr) return static_cast<std::int64_t>(whole);
+      PyErr_Clear();
+    } else if (const double number = PyFloat_AsDouble(given.ptr()); PyErr_Occurred() == nullptr) {
+      return number;
+    } else {
+      PyErr_Clear();
+    }
+  }
+  throw api::Error(api::ErrorCode::Contract, name,
+                   "expected True or False, a number or a text, found " + py::repr(given).cast<std::string>());
+}
+
+api::Settings settings_of(const py::object& given) {
+  if (given.is_none()) return {};
+  if (py::isinstance<api::Settings>(given)) return given.cast<api::Settings>();
+  if (!py::hasattr(given, "items")) throw py::type_error("expected Settings, a dict of names and values, or None");
+  return settings_with(given);
+}
+
 void add_settings(py::module_& module) {
   py::class_<api::Settings>(module, "Settings")
-      .def(py::init(&settings_with), py::arg("values") = std::map<std::string, api::OptionValue>())
+      .def(py::init(&settings_with), py::arg("values") = py::dict())
       .def_static("load", &api::Settings::load, py::arg("path"))
       .def("__getitem__", &api::Settings::get)
       .def("__setitem__", [](api::Settings& settings, const std::string& name,
-                             const api::OptionValue& value) { settings.set(name, value); })
+                             const py::object& value) { settings.set(name, option_value_of(value, name)); })
+      .def("__contains__", [](const api::Settings& settings,
+                              const std::string& name) { return settings_dict(settings).contains(name); })
+      .def("__iter__", [](const api::Settings& settings) { return py::iter(settings_dict(settings)); })
+      .def("__len__", [](const api::Settings& settings) { return settings.all().size(); })
+      .def("keys", [](const api::Settings& settings) { return py::list(settings_dict(settings)); })
+      .def("items", [](const api::Settings& settings) { return settings_dict(settings).attr("items")(); })
       .def("all", [](const api::Settings& settings) { return option_list(settings.all()); })
       .def("text", [](const api::Settings& settings) { return settings.text(); })
-      .def("__repr__", [](const api::Settings& settings) {
-        return "<remount.Settings, method " + std::get<std::string>(settings.get("run.method")) + ">";
-      });
-  py::implicitly_convertible<py::dict, api::Settings>();
+      .def("__repr__",
+           [](const api::Settings& settings) {
+             return "<remount.Settings, method " + std::get<std::string>(settings.get("run.method")) + ">";
+           })
+      .def(py::pickle(&settings_dict, [](const py::dict& values) { return settings_with(values); }));
   module.def("simulation_options", [] { return option_list(api::simulation_options()); });
 }
 

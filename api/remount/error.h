@@ -15,8 +15,9 @@ enum class ErrorCode {
   Format,       ///< the bytes are not what the format promises
   Unsupported,  ///< valid, but not something that Remount reads or does
   Contract,     ///< a documented condition was broken, or a setting is out of range
+  Cancelled,    ///< the caller's Progress was cancelled, and there is no result that could say so
 };
-std::string_view to_string(ErrorCode code);  ///< "io", "format", "unsupported", "contract"
+std::string_view to_string(ErrorCode code);  ///< "io", "format", "unsupported", "contract", "cancelled"
 
 /// Seen by whoever catches it, also where a program hides what it has.
 class [[gnu::visibility("default")]] Error : public std::runtime_error {

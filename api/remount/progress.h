@@ -16,7 +16,8 @@ struct Step {
 };
 
 /// Copies are of the same call. The callback is called from any thread, never from two at once; what it throws cancels
-/// the call, which throws it then.
+/// the call, which throws it then, once. Calls of the callback's own need a Progress of their own: with this one they
+/// throw Error(Contract). One that was cancelled stays so.
 class Progress {
  public:
   using Callback = std::function<void(const Step&)>;
@@ -24,9 +25,13 @@ class Progress {
   Progress();
   explicit Progress(Callback callback);
 
-  /// From any thread, the callback's as well. The call returns soon; its result has the status Cancelled.
+  /// From any thread, the callback's as well. The call returns soon; its result has the status Cancelled. Calls that
+  /// open, make or write something throw Error(Cancelled), and leave nothing behind.
   void cancel() const;
   bool cancelled() const;
+  /// Throws Error(Contract) where this thread is in the callback, as every call does that is given this progress: for
+  /// those that make the call on another thread.
+  void refuse_within_callback() const;
 
   struct State;
   State& state() const { return *state_; }  ///< for Remount itself

@@ -7,6 +7,7 @@
 
 #include "algorithms/calibration/pairwise/pairwise.h"
 #include "algorithms/core/error.h"
+#include "messages/pairs.h"
 #include "messages/pipeline.h"
 #include "model/conventions/impossible_motion.h"
 #include "model/pipeline/pipeline.h"

@@ -183,6 +183,12 @@ std::vector<std::string> format_ids(bool of_vehicles) {
   return ids;
 }
 
+/// A part of a drive would pass for one. The folder was empty before.
+void empty(const fs::path& folder) {
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) fs::remove_all(entry.path(), none);
+}
+
 }  // namespace
 
 const std::vector<std::string>& drive_formats() {
@@ -202,7 +208,8 @@ void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std:
   require_empty(folder);
   formats::make_directories(folder);
   chosen.write(drive, folder, threads, progress);
-  if (!progress.cancelled()) formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(drive, chosen)));
+  if (progress.cancelled()) return empty(folder);
+  formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(drive, chosen)));
 }
 
 void write_vehicle(const SimulatedVehicle& vehicle, const fs::path& folder, const std::string& format, int threads,
@@ -212,7 +219,8 @@ void write_vehicle(const SimulatedVehicle& vehicle, const fs::path& folder, cons
   require_empty(folder);
   formats::make_directories(folder);
   chosen.write_vehicle(vehicle, folder, threads, progress);
-  if (!progress.cancelled()) formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(vehicle, chosen)));
+  if (progress.cancelled()) return empty(folder);
+  formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(vehicle, chosen)));
 }
 
 }  // namespace remount::simulator

@@ -209,7 +209,7 @@ bool chance_few(const std::vector<Pair>& pairs) {
   int accepted = 0, judged = 0;
   for (const Pair& pair : pairs) {
     if (pair.state == motion::PairState::Rejected &&
-        (pair.decided_by == motion::DecidedBy::User || motion::is_not_reached(pair)))
+        (pair.decided_by == motion::DecidedBy::User || motion::is_not_reached(pair) || motion::repeats_another(pair)))
       continue;
     ++judged;
     accepted += pair.state == motion::PairState::Accepted ? 1 : 0;

@@ -1,5 +1,5 @@
 from os import PathLike
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, ItemsView, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +15,8 @@ _Scan = Union[ArrayLike, Mapping[str, Any]]
 _Told = Union["Progress", Callable[[str, int, int], object], None]
 
 class Progress:
-    """Of a long call: hears of it, and cancels it, from any thread. What the callback raises cancels it as well."""
+    """Of a long call: hears of it, and cancels it, from any thread. What the callback raises cancels it as well. One that
+    was cancelled stays so, and calls within the callback need one of their own."""
 
     def __init__(self, callback: Optional[Callable[[str, int, int], object]] = None) -> None: ...
     def cancel(self) -> None: ...
@@ -30,12 +31,17 @@ class Settings:
     def load(path: _Path) -> Settings: ...
     def __getitem__(self, name: str) -> _Value: ...
     def __setitem__(self, name: str, value: _Value) -> None: ...
+    def __contains__(self, name: str) -> bool: ...
+    def __iter__(self) -> Iterator[str]: ...
+    def __len__(self) -> int: ...
+    def keys(self) -> List[str]: ...
+    def items(self) -> ItemsView[str, _Value]: ...
     def all(self) -> List[Dict[str, Any]]:
         """Of each: name, value, unit, meaning, minimum, maximum, choices."""
     def text(self) -> str:
         """A configuration file, with comments."""
 
-_Settings = Union[Settings, Dict[str, _Value], None]
+_Settings = Union[Settings, Mapping[str, _Value], None]
 
 class Finding:
     """What is suspicious about data or a result."""
@@ -73,7 +79,8 @@ class Session:
     @property
     def name(self) -> str: ...
     @property
-    def path(self) -> PathLike[str]: ...
+    def path(self) -> Optional[PathLike[str]]:
+        """None where it was not opened from files."""
     @property
     def format(self) -> str: ...
     @property
@@ -198,7 +205,7 @@ class SimulatedDrive:
 def open(path: _Path, *, lidar: str = "", topics: Mapping[str, str] = ..., progress: _Told = None) -> Session:
     """A recording of whatever format, recognised by its content."""
 
-def lidars_of(path: _Path) -> List[str]: ...
+def lidars_of(path: _Path, *, progress: _Told = None) -> List[str]: ...
 
 def make_session(
     name: str,

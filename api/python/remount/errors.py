@@ -4,7 +4,7 @@
 class Error(RuntimeError):
     """Broken input or a broken contract. What the numbers do not allow is no error: the status of a result says it.
 
-    code         "io", "format", "unsupported" or "contract"
+    code         "io", "format", "unsupported", "contract" or "cancelled"
     place        file with line or byte ("scan.pcd:7"), or the name of what was given
     expectation  what was found, what was expected, and what to do where that is known
     """
