@@ -1,6 +1,7 @@
 #include "api/bridge.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "algorithms/messages/catalogue.h"
 #include "algorithms/messages/render.h"
@@ -15,36 +16,27 @@ constexpr remount::Language inner_language(Language language) {
   return language == Language::Chinese ? remount::Language::Chinese : remount::Language::English;
 }
 
-constexpr ErrorCode outer_code(remount::ErrorCode code) {
-  switch (code) {
-    case remount::ErrorCode::Io:
-      return ErrorCode::Io;
-    case remount::ErrorCode::Format:
-      return ErrorCode::Format;
-    case remount::ErrorCode::Unsupported:
-      return ErrorCode::Unsupported;
-    case remount::ErrorCode::Contract:
-      break;
-  }
-  return ErrorCode::Contract;
-}
+struct CodeEntry {
+  ErrorCode outer;
+  remount::ErrorCode inner;  ///< of what code of others throws
+  std::string_view name;
+};
+/// In the order of ErrorCode. Of several with one inside the first is what comes from there.
+constexpr CodeEntry kCodes[] = {
+    {ErrorCode::Io, remount::ErrorCode::Io, "io"},
+    {ErrorCode::Format, remount::ErrorCode::Format, "format"},
+    {ErrorCode::Unsupported, remount::ErrorCode::Unsupported, "unsupported"},
+    {ErrorCode::Contract, remount::ErrorCode::Contract, "contract"},
+    {ErrorCode::Cancelled, remount::ErrorCode::Io, "cancelled"},
+};
+constexpr const CodeEntry& entry_of(ErrorCode code) { return kCodes[static_cast<std::size_t>(code)]; }
+static_assert(std::ranges::all_of(kCodes, [](const CodeEntry& entry) { return &entry_of(entry.outer) == &entry; }));
+
+ErrorCode outer_code(remount::ErrorCode code) { return std::ranges::find(kCodes, code, &CodeEntry::inner)->outer; }
 
 }  // namespace
 
-remount::ErrorCode inner_code(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::Format:
-      return remount::ErrorCode::Format;
-    case ErrorCode::Unsupported:
-      return remount::ErrorCode::Unsupported;
-    case ErrorCode::Contract:
-      return remount::ErrorCode::Contract;
-    case ErrorCode::Io:
-    case ErrorCode::Cancelled:
-      break;
-  }
-  return remount::ErrorCode::Io;
-}
+remount::ErrorCode inner_code(ErrorCode code) { return entry_of(code).inner; }
 
 std::string_view version() { return REMOUNT_VERSION; }
 
@@ -63,21 +55,7 @@ const Message& Text::message() const {
   return message_ ? *message_ : kNothing;
 }
 
-std::string_view to_string(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::Io:
-      return "io";
-    case ErrorCode::Format:
-      return "format";
-    case ErrorCode::Unsupported:
-      return "unsupported";
-    case ErrorCode::Cancelled:
-      return "cancelled";
-    case ErrorCode::Contract:
-      break;
-  }
-  return "contract";
-}
+std::string_view to_string(ErrorCode code) { return entry_of(code).name; }
 
 Error::Error(ErrorCode code, std::string place, Text expectation)
     : std::runtime_error((place.empty() ? place : place + ": ") + expectation.english()),

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "algorithms/core/parallel.h"
 #include "api/bridge.h"
 #include "api/result_inside.h"
 #include "messages/programs.h"
@@ -29,7 +30,6 @@ pipeline::PipelineInput input_of(const CalibrateOptions& options) {
   pipeline::PipelineInput input;
   input.settings = options.settings.inside();
   settings::require_valid(input.settings);
-  constexpr int kMostThreads = 1024;
   if (options.threads < 0 || options.threads > kMostThreads)
     throw remount::Error(remount::ErrorCode::Contract, "threads", say::api_threads(options.threads));
   input.threads = options.threads;

@@ -10,6 +10,9 @@
 
 namespace remount {
 
+/// More are a mistake of whoever asks for them.
+inline constexpr int kMostThreads = 1024;
+
 /// Number of workers to use: `requested`, or one per core where it is 0 or negative.
 inline int worker_count(int requested) {
   if (requested > 0) return requested;

@@ -1,3 +1,6 @@
+#include <limits>
+#include <span>
+
 #include "api/python/python_parts.h"
 #include "remount/error.h"
 #include "remount/registration.h"
@@ -156,21 +159,32 @@ py::object keyframes_of(const api::Session& session, const py::object& settings)
                           {{"scan", "i8", scans}, {"stamp_ns", "i8", stamps_ns}, {"travelled_m", "f8", travelled_m}});
 }
 
-/// Throws api::Error(Contract) for what is no column, and for what does not go into its numbers.
+/// Throws api::Error(Contract) for what is no column.
 template <class Value>
-std::vector<Value> numbers_of(const py::object& column, const std::string& name) {
-  if (column.is_none()) return {};
-  const py::array_t<double, py::array::c_style | py::array::forcecast> values(column);
+py::array_t<Value, py::array::c_style | py::array::forcecast> column_as(const py::object& given,
+                                                                        const std::string& name) {
+  const py::array_t<Value, py::array::c_style | py::array::forcecast> values(given);
   if (values.ndim() != 1) throw api::Error(api::ErrorCode::Contract, name, "expected one number for each point, (n,)");
-  std::vector<Value> numbers;
-  for (py::ssize_t i = 0; i < values.size(); ++i) {
-    const double value = values.at(i);
-    if constexpr (std::is_integral_v<Value>)
-      if (!(value >= 0.0 && value <= static_cast<double>(std::numeric_limits<Value>::max())))
-        throw api::Error(api::ErrorCode::Contract, name, "expected numbers from 0 to 65535");
-    numbers.push_back(static_cast<Value>(value));
+  return values;
+}
+
+std::vector<float> numbers_of(const py::object& column, const std::string& name) {
+  if (column.is_none()) return {};
+  const auto values = column_as<float>(column, name);
+  return {values.data(), values.data() + values.size()};
+}
+
+/// Throws api::Error(Contract) where a number is none of a ring.
+std::vector<std::uint16_t> rings_of(const py::object& column, const std::string& name) {
+  if (column.is_none()) return {};
+  const auto values = column_as<double>(column, name);
+  std::vector<std::uint16_t> rings;
+  for (const double value : std::span(values.data(), static_cast<std::size_t>(values.size()))) {
+    if (!(value >= 0.0 && value <= std::numeric_limits<std::uint16_t>::max()))
+      throw api::Error(api::ErrorCode::Contract, name, "expected numbers from 0 to 65535");
+    rings.push_back(static_cast<std::uint16_t>(value));
   }
-  return numbers;
+  return rings;
 }
 
 std::string session_repr(const api::Session& session) {
@@ -261,8 +275,7 @@ void add_simulation(py::module_& module) {
 
 std::vector<std::int64_t> stamps_of(const py::object& given, const std::string& name) {
   const py::array array = py::array::ensure(given);
-  const bool empty = array && array.ndim() == 1 && array.size() == 0;
-  if (empty) return {};
+  if (array && array.ndim() == 1 && array.size() == 0) return {};  // NumPy calls what has nothing in it numbers
   if (!array || array.ndim() != 1 || (array.dtype().kind() != 'i' && array.dtype().kind() != 'u'))
     throw api::Error(api::ErrorCode::Contract, name, "expected stamps as whole nanoseconds: integers, (n,)");
   const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> stamps_ns(array);
@@ -290,9 +303,9 @@ api::Scan scan_of(const py::object& given, const std::string& name) {
   const auto values = points.unchecked<2>();
   for (py::ssize_t i = 0; i < points.shape(0); ++i)
     scan.points_in_lidar.emplace_back(values(i, 0), values(i, 1), values(i, 2));
-  scan.time_from_stamp_s = numbers_of<float>(column("time_from_stamp_s"), name + ": time_from_stamp_s");
-  scan.intensity = numbers_of<float>(column("intensity"), name + ": intensity");
-  scan.ring = numbers_of<std::uint16_t>(column("ring"), name + ": ring");
+  scan.time_from_stamp_s = numbers_of(column("time_from_stamp_s"), name + ": time_from_stamp_s");
+  scan.intensity = numbers_of(column("intensity"), name + ": intensity");
+  scan.ring = rings_of(column("ring"), name + ": ring");
   return scan;
 }
 

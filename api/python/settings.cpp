@@ -46,17 +46,14 @@ api::OptionValue option_value_of(const py::handle& given, const std::string& nam
   if (py::isinstance<py::str>(given)) return given.cast<std::string>();
   const auto numpy = py::module_::import("numpy");
   if (py::isinstance<py::bool_>(given) || py::isinstance(given, numpy.attr("bool_"))) return given.cast<bool>();
-  const bool text = py::isinstance<py::bytes>(given) || given.is_none();
+  // Arrays of one number and texts of bytes would be turned into numbers.
   const bool array = py::isinstance<py::array>(given) && py::reinterpret_borrow<py::array>(given).ndim() > 0;
-  if (!text && !array) {
-    if (PyIndex_Check(given.ptr()) != 0) {
-      const long long whole = PyLong_AsLongLong(py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr())).ptr());
-      if (PyErr_Occurred() == nullptr) return static_cast<std::int64_t>(whole);
-      PyErr_Clear();
-    } else if (const double number = PyFloat_AsDouble(given.ptr()); PyErr_Occurred() == nullptr) {
-      return number;
-    } else {
-      PyErr_Clear();
+  if (!array && !py::isinstance<py::bytes>(given)) {
+    try {
+      if (py::hasattr(given, "__index__")) return given.attr("__index__")().cast<std::int64_t>();
+      if (py::hasattr(given, "__float__")) return given.attr("__float__")().cast<double>();
+    } catch (const py::error_already_set&) {
+    } catch (const py::cast_error&) {  // a whole number that is too large
     }
   }
   throw api::Error(api::ErrorCode::Contract, name,

@@ -26,7 +26,7 @@ class Progress {
   explicit Progress(Callback callback);
 
   /// From any thread, the callback's as well. The call returns soon; its result has the status Cancelled. Calls that
-  /// open, make or write something throw Error(Cancelled), and leave nothing behind.
+  /// open, make or write something throw Error(Cancelled); a folder that was written is empty then.
   void cancel() const;
   bool cancelled() const;
   /// Throws Error(Contract) where this thread is in the callback, as every call does that is given this progress: for

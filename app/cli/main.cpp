@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
 #include "app/cli/choices.h"
 #include "app/cli/program_words.h"
 #include "app/cli/verbs.h"
@@ -37,7 +38,7 @@ void add_common_options(CLI::App& app, Console& console) {
   app.add_option("--log", console.options().log_file, console.words(say::help_log()))->type_name("FILE");
   app.add_flag("--append-log", console.options().append_log, console.words(say::help_append_log()));
   app.add_option("-j,--threads", console.options().threads, console.words(say::help_threads()))
-      ->check(CLI::Range(0, 1024).description(""))
+      ->check(CLI::Range(0, kMostThreads).description(""))
       ->type_name("N");
   const std::vector<std::string> languages(kLanguageTags.begin(), kLanguageTags.end());
   app.add_option_function<std::string>(

@@ -165,8 +165,10 @@ std::string head(const Message& words, Language language, bool is_text = false) 
 std::string change_text(const FleetChange& change, calibration::Parameter i) {
   const double by = change.change.difference[i];
   if (!std::isfinite(by)) return {};
-  return formats::format_numbers("%+.4f ± %.4f (%.1f σ)", results::on_screen(i, by),
-                                 results::on_screen(i, change.change.sigma[i]), std::abs(by) / change.change.sigma[i]);
+  const double sigma = change.change.sigma[i];
+  return formats::signed_text(results::on_screen(i, by), 4) + " ± " +
+         formats::spread_text(results::on_screen(i, sigma), 4) +
+         formats::format_numbers(" (%.1f σ)", std::abs(by) / sigma);
 }
 
 std::string weak_line(const std::string& text) {

@@ -184,7 +184,7 @@ std::string quantity_text(const calibration::NamedQuantity& quantity, Language l
   const auto shown = [&](double value) { return angle ? radians_to_degrees(value) : value; };
   const std::string unit = angle ? " °" : quantity.unit.empty() ? "" : " " + quantity.unit;
   std::string text = formats::rounded_text(shown(quantity.value), 4);
-  if (std::isfinite(quantity.sigma)) text += " ± " + formats::rounded_text(shown(quantity.sigma), 4);
+  if (std::isfinite(quantity.sigma)) text += " ± " + formats::spread_text(shown(quantity.sigma), 4);
   return text + unit;
 }
 

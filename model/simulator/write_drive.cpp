@@ -184,7 +184,7 @@ std::vector<std::string> format_ids(bool of_vehicles) {
 }
 
 /// A part of a drive would pass for one. The folder was empty before.
-void empty(const fs::path& folder) {
+void remove_contents(const fs::path& folder) {
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) fs::remove_all(entry.path(), none);
 }
@@ -208,7 +208,7 @@ void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std:
   require_empty(folder);
   formats::make_directories(folder);
   chosen.write(drive, folder, threads, progress);
-  if (progress.cancelled()) return empty(folder);
+  if (progress.cancelled()) return remove_contents(folder);
   formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(drive, chosen)));
 }
 
@@ -219,7 +219,7 @@ void write_vehicle(const SimulatedVehicle& vehicle, const fs::path& folder, cons
   require_empty(folder);
   formats::make_directories(folder);
   chosen.write_vehicle(vehicle, folder, threads, progress);
-  if (progress.cancelled()) return empty(folder);
+  if (progress.cancelled()) return remove_contents(folder);
   formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(vehicle, chosen)));
 }
 

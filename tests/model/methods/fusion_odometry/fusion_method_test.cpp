@@ -87,7 +87,7 @@ void print(const calibration::CalibrationResult& result, const RigidTransform& t
 
 TEST(fusion_method, a_tunnel_gives_what_its_walls_show_and_no_more) {
   for (const int seed : testing::some_of({1, 2})) {
-    InsideTunnel tunnel = inside_tunnel(250.0, seed);
+    InsideTunnel tunnel = inside_tunnel(testing::draws_all() ? 400.0 : 250.0, seed);
     tunnel.input.nominal_ins_from_lidar = off_by(tunnel.truth);
     const pipeline::PipelineOutput output = run_fusion(tunnel.input);
     print(output.result, tunnel.truth);
